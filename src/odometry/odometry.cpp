@@ -3,6 +3,11 @@
 #include <scrubjay/odometry/odometry.hpp>
 
 namespace scrubjay {
+namespace {
+
+constexpr double kClockSetBack = 1.0;  // stamps that go back by less are only late [s]
+
+}  // namespace
 
 Odometry::Odometry(const DifferentialDrive& drive, const WheelNoise& noise, const Pose2& start)
     : drive_(drive), noise_(noise) {
@@ -55,8 +60,10 @@ void Odometry::propagate(const WheelTravel& travel, double middle_sin, double mi
 }
 
 void Odometry::update_twist(const WheelTravel& travel, double stamp) {
-  if (!started_) {
+  // A clock that was set back starts a new interval, or the twist would stand still until it has caught up.
+  if (!started_ || stamp < twist_stamp_ - kClockSetBack) {
     started_ = true;
+    since_twist_ = {};
     twist_stamp_ = stamp;
     return;
   }

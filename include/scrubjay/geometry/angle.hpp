@@ -2,6 +2,7 @@
 /// Angles in radians, counter-clockwise (REP-103).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +13,8 @@ inline constexpr double kPi = std::numbers::pi;
 /// The same direction in [-pi, pi].
 inline double wrap_angle(double angle) {
   if (angle >= -kPi && angle <= kPi) return angle;
-  return angle - 2.0 * kPi * std::floor((angle + kPi) / (2.0 * kPi));
+  // Next to an odd multiple of pi, rounding may choose the turn beside.
+  return std::clamp(angle - 2.0 * kPi * std::floor((angle + kPi) / (2.0 * kPi)), -kPi, kPi);
 }
 
 /// Shortest turn from `from` to `to`, in [-pi, pi].

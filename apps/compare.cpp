@@ -1,0 +1,194 @@
+/// \file
+/// `scrubjay compare WORLD...`: strategies against each other, as a table.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <scrubjay/error.hpp>
+#include <scrubjay/io/atomic_file.hpp>
+#include <scrubjay/mission/strategies.hpp>
+#include <thread>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "run_options.hpp"
+#include "simulated_run.hpp"
+
+namespace scrubjay::apps {
+namespace {
+
+struct CompareFlags {
+  std::vector<std::string> worlds;
+  std::vector<std::string> strategies;
+  std::vector<std::string> noises{"none"};
+  std::uint64_t seeds = 3;
+  std::string model = "roomba-600";
+  double resolution = 0.05;
+  double max_time = 7200.0;
+  unsigned threads = 0;
+  std::optional<std::string> csv;
+  OutputFlags output;
+};
+
+struct Entry {
+  Scenario scenario;
+  RunResult run;
+};
+
+std::vector<Entry> all_scenarios(const CompareFlags& flags) {
+  std::vector<Entry> entries;
+  for (const std::string& world : flags.worlds) {
+    for (const std::string& noise : flags.noises) {
+      for (const std::string& strategy : flags.strategies) {
+        for (std::uint64_t seed = 1; seed <= flags.seeds; ++seed) {
+          Scenario scenario;
+          scenario.world = world;
+          scenario.model = flags.model;
+          scenario.strategy = strategy;
+          scenario.noise = noise;
+          scenario.seed = seed;
+          scenario.resolution = flags.resolution;
+          scenario.max_time = flags.max_time;
+          entries.push_back({scenario, {}});
+        }
+      }
+    }
+  }
+  return entries;
+}
+
+/// Runs all entries, each on one thread from begin to end. What comes out doesn't depend on how many threads there are.
+class Workers {
+ public:
+  Workers(std::vector<Entry>& entries, bool show, const std::stop_token& stop) : entries_(entries), show_(show), stop_(stop) {}
+
+  void run(unsigned threads) {
+    std::vector<std::jthread> pool;
+    for (unsigned i = 0; i < threads; ++i) pool.emplace_back([this] { work(); });
+    pool.clear();
+    if (show_) fmt::print(stderr, "\r\033[K");
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < entries_.size() && !stop_.stop_requested(); i = next_++) {
+      try {
+        Entry& entry = entries_[i];
+        const Stage stage = set_stage(entry.scenario);
+        entry.run = run_simulated(entry.scenario, stage, {}, stop_);
+        // A table needs no trajectories, of which there may be thousands.
+        entry.run.trajectory = {};
+        entry.run.truth->trajectory = {};
+      } catch (...) {
+        const std::scoped_lock lock(mutex_);
+        if (!failure_) failure_ = std::current_exception();
+        next_ = entries_.size();
+      }
+      if (!show_) continue;
+      const std::scoped_lock lock(mutex_);
+      fmt::print(stderr, "\r\033[K{} of {} runs", ++done_, entries_.size());
+    }
+  }
+
+  std::vector<Entry>& entries_;
+  bool show_;
+  std::stop_token stop_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+  std::exception_ptr failure_;
+};
+
+/// The figures of the table, in its order.
+struct Column {
+  const char* title;
+  const char* format;
+  double (*value)(const RunResult&);
+};
+
+const Column kColumns[] = {
+    {"coverage", "{:.3f}", [](const RunResult& r) { return r.truth->score.coverage; }},
+    {"IoU", "{:.3f}", [](const RunResult& r) { return r.truth->score.iou; }},
+    {"recall", "{:.3f}", [](const RunResult& r) { return r.truth->score.wall_recall; }},
+    {"precision", "{:.3f}", [](const RunResult& r) { return r.truth->score.wall_precision; }},
+    {"followed recall", "{:.3f}", [](const RunResult& r) { return r.truth->score.followed_wall_recall; }},
+    {"followed precision", "{:.3f}", [](const RunResult& r) { return r.truth->score.followed_wall_precision; }},
+    {"distance [m]", "{:.0f}", [](const RunResult& r) { return r.report.distance; }},
+    {"time [s]", "{:.0f}", [](const RunResult& r) { return r.report.time; }},
+    {"bumps", "{:.0f}", [](const RunResult& r) { return static_cast<double>(r.report.bumps); }},
+    {"ATE [m]", "{:.3f}", [](const RunResult& r) { return r.truth->error.ate; }},
+};
+
+std::string csv_text(const std::vector<Entry>& entries) {
+  std::string text = "world,noise,strategy,seed,ended";
+  for (const Column& column : kColumns) text += fmt::format(",{}", column.title);
+  text += '\n';
+  for (const Entry& entry : entries) {
+    const Scenario& s = entry.scenario;
+    text += fmt::format("{},{},{},{},{}", s.world, s.noise, s.strategy, s.seed, to_string(entry.run.report.ended));
+    for (const Column& column : kColumns) text += fmt::format(",{:.6g}", column.value(entry.run));
+    text += '\n';
+  }
+  return text;
+}
+
+/// A row a world, noise and strategy: means over the seeds.
+std::string markdown(const std::vector<Entry>& entries, std::uint64_t seeds) {
+  std::string text = "| world | noise | strategy |";
+  std::string rule = "|---|---|---|";
+  for (const Column& column : kColumns) {
+    text += fmt::format(" {} |", column.title);
+    rule += "---:|";
+  }
+  text += '\n' + rule + '\n';
+  for (std::size_t i = 0; i < entries.size(); i += seeds) {
+    const Scenario& s = entries[i].scenario;
+    text += fmt::format("| {} | {} | {} |", std::filesystem::path(s.world).stem().string(), s.noise, s.strategy);
+    for (const Column& column : kColumns) {
+      double sum = 0.0;
+      for (std::size_t k = i; k < i + seeds; ++k) sum += column.value(entries[k].run);
+      text += fmt::format(" {} |", fmt::format(fmt::runtime(column.format), sum / static_cast<double>(seeds)));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+void compare(CompareFlags flags) {
+  const std::vector<std::string_view> known = strategy_names();
+  if (flags.strategies.empty()) flags.strategies.assign(known.begin(), known.end());
+  for (const std::string& strategy : flags.strategies) make_strategy(strategy, {}, Random(0));
+  if (flags.seeds == 0) throw Error("--seeds is 0; want at least 1");
+  std::vector<Entry> entries = all_scenarios(flags);
+  const Interrupt interrupt;
+  const unsigned threads = flags.threads > 0 ? flags.threads : std::max(1u, std::thread::hardware_concurrency());
+  Workers(entries, progress_wanted(flags.output.quiet), interrupt.token()).run(threads);
+  if (interrupt.token().stop_requested()) throw Error("stopped before the table was complete", Error::Kind::Failure);
+  if (flags.csv) write_file_atomically(*flags.csv, csv_text(entries));
+  fmt::print("{}", markdown(entries, flags.seeds));
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("compare", "Run strategies in worlds and print a table");
+  const auto flags = std::make_shared<CompareFlags>();
+  command->add_option("WORLD", flags->worlds, "worlds, plans or maps")->required();
+  command->add_option("--strategies", flags->strategies, "comma-separated (all)")->delimiter(',');
+  command->add_option("--noise", flags->noises, "profiles, comma-separated (none)")->delimiter(',');
+  command->add_option("--seeds", flags->seeds, "runs from seed 1 to this, averaged (3)");
+  command->add_option("--model", flags->model, "robot (roomba-600)");
+  command->add_option("--resolution", flags->resolution, "side of a map cell [m] (0.05)");
+  command->add_option("--max-time", flags->max_time, "simulated seconds (7200)");
+  command->add_option("--threads", flags->threads, "runs at the same time (a core each)");
+  command->add_option("--csv", flags->csv, "every run, as a file of comma-separated values");
+  command->add_flag("--quiet", flags->output.quiet, "print no progress");
+  command->callback([flags] { compare(*flags); });
+}
+
+}  // namespace scrubjay::apps

@@ -1,0 +1,62 @@
+/// \file
+/// `scrubjay explore WORLD`: a simulated robot explores and leaves a map.
+#include <fmt/format.h>
+
+#include <memory>
+#include <scrubjay/error.hpp>
+#include <scrubjay/mission/strategies.hpp>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "run_options.hpp"
+#include "simulated_run.hpp"
+#include "summary.hpp"
+
+namespace scrubjay::apps {
+namespace {
+
+struct ExploreFlags {
+  ScenarioFlags scenario;
+  OutputFlags output;
+  double speed = 0.0;
+  std::optional<std::string> out;
+  std::optional<std::string> record;
+};
+
+void explore(const ExploreFlags& flags) {
+  const Scenario scenario = make_scenario(flags.scenario);
+  if (!(flags.speed >= 0.0)) throw Error(fmt::format("--speed is {}; want 0 (as fast as possible) or more", flags.speed));
+  const Stage stage = set_stage(scenario);
+  make_strategy(scenario.strategy, stage.robot.model, Random(0));  // an unknown one is refused before anything is made
+  const std::filesystem::path folder =
+      flags.out ? std::filesystem::path(*flags.out) : std::filesystem::path("out") / std::filesystem::path(scenario.world).stem();
+  prepare_run_folder(folder);
+
+  const Interrupt interrupt;
+  RunOptions options;
+  options.speed = flags.speed;
+  if (flags.record) options.record = *flags.record;
+  if (progress_wanted(flags.output.quiet)) {
+    options.watch = [](LazyTruth& truth) { return std::make_unique<Progress>(truth); };
+  }
+  const RunResult run = run_simulated(scenario, stage, options, interrupt.token());
+  write_run(folder, run);
+  print_summary(run, folder, flags.output);
+  if (run.report.ended == Ended::RobotGone) throw Error("the robot fell silent", Error::Kind::Failure);
+}
+
+}  // namespace
+
+void add_explore(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("explore", "Explore a world with a simulated robot and write a map");
+  const auto flags = std::make_shared<ExploreFlags>();
+  add_scenario_flags(*command, flags->scenario);
+  command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)");
+  command->add_option("--out", flags->out, "folder for the results (out/WORLD)");
+  command->add_option("--record", flags->record, "record all bytes to this .oilog");
+  add_output_flags(*command, flags->output);
+  command->callback([flags] { explore(*flags); });
+}
+
+}  // namespace scrubjay::apps

@@ -1,0 +1,46 @@
+#include "interrupt.hpp"
+
+#include <csignal>
+#include <ctime>
+
+namespace scrubjay::apps {
+namespace {
+
+sigset_t stop_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGINT);
+  sigaddset(&set, SIGTERM);
+  return set;
+}
+
+}  // namespace
+
+Interrupt::Interrupt() {
+  const sigset_t set = stop_signals();
+  pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  waiter_ = std::jthread([this](const std::stop_token& end) {
+    const sigset_t awaited = stop_signals();
+    const timespec patience{0, 100'000'000};
+    while (!end.stop_requested()) {
+      const int signal = sigtimedwait(&awaited, nullptr, &patience);
+      if (signal <= 0) continue;
+      if (stop_.stop_requested()) {
+        // Asked twice: whoever asks doesn't want to wait for the files.
+        std::signal(signal, SIG_DFL);
+        pthread_sigmask(SIG_UNBLOCK, &awaited, nullptr);
+        std::raise(signal);
+      }
+      stop_.request_stop();
+    }
+  });
+}
+
+Interrupt::~Interrupt() {
+  waiter_.request_stop();
+  waiter_.join();
+  const sigset_t set = stop_signals();
+  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+}  // namespace scrubjay::apps

@@ -1,0 +1,23 @@
+/// \file
+/// Ctrl-C and SIGTERM as a stop token.
+#pragma once
+
+#include <stop_token>
+#include <thread>
+
+namespace scrubjay::apps {
+
+/// While it lives, SIGINT and SIGTERM request a stop instead of ending the process; a second one ends it at once.
+/// To be made before any other thread, which then leaves the signals to this one.
+class Interrupt {
+ public:
+  Interrupt();
+  ~Interrupt();
+  std::stop_token token() const { return stop_.get_token(); }
+
+ private:
+  std::stop_source stop_;
+  std::jthread waiter_;
+};
+
+}  // namespace scrubjay::apps

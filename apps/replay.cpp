@@ -1,0 +1,98 @@
+/// \file
+/// `scrubjay replay LOG`: the same run from a recording of its bytes.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <scrubjay/error.hpp>
+#include <scrubjay/io/recording.hpp>
+#include <scrubjay/io/scenario_file.hpp>
+#include <scrubjay/mapping/contact_mapper.hpp>
+#include <scrubjay/mission/paced_robot.hpp>
+#include <scrubjay/mission/strategies.hpp>
+#include <scrubjay/mission/track.hpp>
+#include <scrubjay/robot/oi_robot.hpp>
+
+#include "commands.hpp"
+#include "data_folder.hpp"
+#include "interrupt.hpp"
+#include "random_streams.hpp"
+#include "simulated_run.hpp"
+#include "summary.hpp"
+
+namespace scrubjay::apps {
+namespace {
+
+struct ReplayFlags {
+  std::string log;
+  double speed = 0.0;
+  std::optional<std::string> out;
+  OutputFlags output;
+};
+
+RunResult replay_recording(RecordingReader& recording, const Scenario& scenario, double speed,
+                           const std::stop_token& stop) {
+  const auto begin = std::chrono::steady_clock::now();
+  const RobotModel model = find_robot(scenario.model).model;
+  RecordedChannel channel(recording);
+  OiRobot robot(channel, model);
+  std::optional<PacedRobot> paced;
+  if (speed > 0.0) paced.emplace(robot, speed);
+  DeadReckoning localizer(model.drive);
+  ContactMapper mapper(model, scenario.resolution);
+  // The strategy decides anew from the same frames; the robot of a recording goes where it went.
+  const std::unique_ptr<Behavior> strategy =
+      make_strategy(scenario.strategy, model, Random(scenario.seed).fork(kStrategyStream));
+  Mission mission(paced ? static_cast<Robot&>(*paced) : robot, localizer, mapper, *strategy, {scenario.max_time});
+  Track track;
+  mission.watch(track);
+
+  RunResult run;
+  run.scenario = scenario;
+  run.report = mission.run(stop);
+  run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  run.map = mapper.occupancy();
+  run.trajectory = track.points();
+  run.bumps = track.bumps();
+  run.robot_radius = model.radius;
+  return run;
+}
+
+/// Scores against the world if it is still where it was.
+void add_truth(RunResult& run) {
+  if (!std::filesystem::exists(run.scenario.world)) return;
+  const Stage stage = set_stage(run.scenario);
+  LazyTruth truth(stage, run.scenario.resolution);
+  run.truth = compare_with_truth(stage, truth(), run.map.view(), run.trajectory);
+}
+
+void replay(const ReplayFlags& flags) {
+  RecordingReader recording{std::filesystem::path(flags.log)};
+  if (recording.scenario().empty()) {
+    throw Error(fmt::format("{}: cut before its scenario ends; nothing can be replayed", flags.log));
+  }
+  const Scenario scenario = parse_scenario(recording.scenario(), flags.log + " (scenario)");
+  const std::filesystem::path folder =
+      flags.out ? std::filesystem::path(*flags.out) : std::filesystem::path("out") / std::filesystem::path(flags.log).stem();
+  prepare_run_folder(folder);
+  const Interrupt interrupt;
+  RunResult run = replay_recording(recording, scenario, flags.speed, interrupt.token());
+  if (recording.cut()) fmt::print(stderr, "scrubjay: {}: cut or damaged after {:.1f} s; replayed up to there\n", flags.log, run.report.time);
+  add_truth(run);
+  write_run(folder, run);
+  print_summary(run, folder, flags.output);
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("replay", "Map from a recording");
+  const auto flags = std::make_shared<ReplayFlags>();
+  command->add_option("LOG", flags->log, ".oilog of explore --record")->required();
+  command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)");
+  command->add_option("--out", flags->out, "folder for the results (out/LOG)");
+  add_output_flags(*command, flags->output);
+  command->callback([flags] { replay(*flags); });
+}
+
+}  // namespace scrubjay::apps

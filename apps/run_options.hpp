@@ -1,0 +1,42 @@
+/// \file
+/// Flags that several subcommands take.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <scrubjay/geometry/pose2.hpp>
+#include <scrubjay/mission/scenario.hpp>
+#include <string>
+
+namespace scrubjay::apps {
+
+/// What a scenario can be told on the command line; what isn't given stays as the scenario has it.
+struct ScenarioFlags {
+  std::optional<std::string> world;
+  std::optional<std::string> scenario_file;
+  std::optional<std::string> model;
+  std::optional<std::string> strategy;
+  std::optional<std::string> noise;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::string> start;
+  std::optional<double> resolution;
+  std::optional<double> max_time;
+};
+
+void add_scenario_flags(CLI::App& command, ScenarioFlags& flags);
+/// The scenario file, if one was named, with the flags over it. Throws Error.
+Scenario make_scenario(const ScenarioFlags& flags);
+
+/// "x,y,theta" in metres and radians. Throws Error.
+Pose2 parse_pose(const std::string& text, const std::string& flag);
+
+/// How much to say, and how.
+struct OutputFlags {
+  bool json = false;
+  bool quiet = false;
+};
+
+void add_output_flags(CLI::App& command, OutputFlags& flags);
+
+}  // namespace scrubjay::apps

@@ -1,0 +1,19 @@
+/// \file
+/// What a file is, by what it holds.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace scrubjay {
+
+enum class FileKind : std::uint8_t { Recording, World, HouseExpoPlan, MapYaml, Scenario, Image, Urdf, Trajectory, Unknown };
+
+/// "recording", "world", ...
+std::string_view to_string(FileKind kind);
+
+/// Looks at the beginning, whatever the name. Throws Error if the file can't be read.
+FileKind file_kind(const std::filesystem::path& path);
+
+}  // namespace scrubjay

@@ -1,0 +1,147 @@
+/// \file
+/// Recordings of all bytes between us and a robot (`.oilog`), from which a run can be repeated exactly.
+///
+/// The layout, byte by byte, is in docs/recordings.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <scrubjay/robot/byte_channel.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace scrubjay {
+
+/// Stamps are whole nanoseconds in a recording. `stamp` must lie within +-9e9 s; what doesn't is moved to the end.
+std::int64_t stamp_to_nanoseconds(double stamp);
+/// The double nearest to so many nanoseconds. There and back gives the same double for every stamp that it gave once.
+double stamp_from_nanoseconds(std::int64_t nanoseconds);
+
+/// Which way bytes went.
+enum class Direction : std::uint8_t { Received, Sent };  ///< from the robot, to the robot
+
+/// The most recent chunk of each length from 1 to 255 bytes: what the next one of that length is compared with.
+class ChunkHistory {
+ public:
+  static constexpr std::size_t kMaxLength = 255;
+  /// The last chunk of `length`, all zeros at first; 1 <= length <= kMaxLength.
+  std::span<std::uint8_t> of_length(std::size_t length) { return {chunks_[length - 1].data(), length}; }
+
+ private:
+  std::array<std::array<std::uint8_t, kMaxLength>, kMaxLength> chunks_{};
+};
+
+/// Appends to a recording.
+///
+/// Bytes are handed to the system every 64 KiB and every second of stamps; whatever interrupts the writing, all whole
+/// records before it can be read. record() never throws, for a full disc must not stop a robot that moves: the first
+/// failure is kept, later bytes are dropped, and flush() or close() throws it once.
+class RecordingWriter {
+ public:
+  /// Begins the file anew. `scenario` is UTF-8 YAML: all that is needed to repeat the run.
+  /// Throws Error (Kind::Failure) if the file can't be made.
+  RecordingWriter(const std::filesystem::path& path, const std::string& scenario);
+  RecordingWriter(const RecordingWriter&) = delete;
+  RecordingWriter& operator=(const RecordingWriter&) = delete;
+  ~RecordingWriter();  ///< as close(), but silent
+
+  /// Records bytes that passed at `stamp` [s].
+  void record(Direction direction, double stamp, std::span<const std::uint8_t> bytes);
+  /// Hands everything to the system. Throws Error (Kind::Failure) once if anything failed since the beginning.
+  void flush();
+  /// Flushes, and waits until it is on the disc. Nothing may be recorded afterwards.
+  void close();
+
+ private:
+  void append(std::uint8_t kind, std::int64_t nanoseconds, std::span<const std::uint8_t> payload);
+  void hand_over();
+  void throw_failure();
+
+  std::string name_;
+  int file_ = -1;
+  int failure_ = 0;  ///< errno of the first failure that was not told yet
+  bool failed_ = false;
+  std::vector<std::uint8_t> buffer_;
+  std::unique_ptr<ChunkHistory> history_ = std::make_unique<ChunkHistory>();
+  std::int64_t last_stamp_ = 0;      ///< [ns]
+  std::int64_t handed_over_at_ = 0;  ///< [ns]
+  std::uint32_t checksum_ = 0;
+};
+
+/// Bytes that passed in one go.
+struct RecordedBytes {
+  Direction direction = Direction::Received;
+  double stamp = 0.0;                   ///< [s]
+  std::span<const std::uint8_t> bytes;  ///< valid until the next one is read
+};
+
+/// Reads a recording, up to its end or to where it was cut or damaged.
+class RecordingReader {
+ public:
+  /// Throws Error if the file can't be read, is no recording or has another version. A file cut anywhere isn't an
+  /// error.
+  explicit RecordingReader(const std::filesystem::path& path);
+  /// The same from memory; `name` stands in the errors.
+  RecordingReader(std::vector<std::uint8_t> file, const std::string& name);
+
+  /// The YAML that the recording began with; empty if it was cut before.
+  const std::string& scenario() const { return scenario_; }
+  /// The next chunk; none at the end.
+  std::optional<RecordedBytes> next();
+  /// Once next() gave none: whether bytes that make no whole, undamaged record were left. From there on all are lost.
+  bool cut() const { return cut_; }
+
+ private:
+  struct Record {
+    std::uint8_t kind;
+    std::span<const std::uint8_t> payload;
+  };
+  std::optional<Record> next_record();
+
+  std::vector<std::uint8_t> file_;
+  std::size_t position_ = 0;
+  bool cut_ = false;
+  std::string scenario_;
+  std::unique_ptr<ChunkHistory> history_ = std::make_unique<ChunkHistory>();
+  std::int64_t last_stamp_ = 0;  ///< [ns]
+  std::uint32_t checksum_ = 0;
+};
+
+/// A channel that records all that passes through it.
+///
+/// Stamps are rounded to what the recording holds, for the live reader too: replay sees the same doubles.
+class RecordingChannel : public ByteChannel {
+ public:
+  /// Both must outlive it.
+  RecordingChannel(ByteChannel& channel, RecordingWriter& writer) : channel_(channel), writer_(writer) {}
+  ByteRead read(std::span<std::uint8_t> buffer) override;
+  bool write(std::span<const std::uint8_t> bytes) override;
+
+ private:
+  ByteChannel& channel_;
+  RecordingWriter& writer_;
+  double last_stamp_ = 0.0;  ///< of what was read last: written bytes have no stamp of their own [s]
+};
+
+/// A channel on which a recording's received bytes arrive again, chunk by chunk with their stamps.
+///
+/// What is written to it goes nowhere. At the end it is no longer open.
+class RecordedChannel : public ByteChannel {
+ public:
+  /// `reader` must outlive it.
+  explicit RecordedChannel(RecordingReader& reader) : reader_(reader) {}
+  ByteRead read(std::span<std::uint8_t> buffer) override;
+  bool write(std::span<const std::uint8_t> bytes) override;
+
+ private:
+  RecordingReader& reader_;
+  std::span<const std::uint8_t> rest_;  ///< of a chunk that didn't fit into the buffer
+  double stamp_ = 0.0;
+};
+
+}  // namespace scrubjay

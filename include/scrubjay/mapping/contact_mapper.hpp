@@ -1,0 +1,28 @@
+/// \file
+/// A growing map from bumpers and light signals.
+#pragma once
+
+#include <scrubjay/grid/contact_model.hpp>
+#include <scrubjay/mapping/growing_map.hpp>
+#include <scrubjay/mapping/mapper.hpp>
+
+namespace scrubjay {
+
+class ContactMapper final : public Mapper {
+ public:
+  ContactMapper(const RobotModel& robot, double resolution, const ContactModelParams& params = {})
+      : model_(robot, params), map_(resolution) {}
+
+  void update(const Frame& frame, const PoseEstimate& estimate) override {
+    if (model_.wants(frame, estimate.pose)) map_.cover(estimate.pose.position(), model_.reach());
+    model_.integrate(frame, estimate.pose, map_.view());
+  }
+  GridView<const LogOdds> map() const override { return map_.view(); }
+  OccupancyGrid occupancy() const override { return map_.occupancy(); }
+
+ private:
+  ContactModel model_;
+  GrowingMap map_;
+};
+
+}  // namespace scrubjay

@@ -1,0 +1,35 @@
+/// \file
+/// A log-odds map that grows where it is written.
+#pragma once
+
+#include <scrubjay/grid/grid_view.hpp>
+#include <scrubjay/grid/log_odds.hpp>
+#include <scrubjay/mapping/occupancy_grid.hpp>
+#include <vector>
+
+namespace scrubjay {
+
+/// Starts empty; cell corners stay at multiples of the resolution however it grows.
+class GrowingMap {
+ public:
+  /// `resolution` > 0 [m].
+  explicit GrowingMap(double resolution);
+
+  /// Makes sure that every cell within `radius` [m] of `center` is there. Grows by doubling, so that growing costs
+  /// constant time a cell in the long run.
+  void cover(const Point2& center, double radius);
+
+  GridView<LogOdds> view() { return {geometry_, cells_.data()}; }
+  GridView<const LogOdds> view() const { return {geometry_, cells_.data()}; }
+  /// nav2's trinary values, cut to the cells that hold any evidence (one unknown cell if there are none).
+  OccupancyGrid occupancy() const;
+
+ private:
+  void grow_to(CellIndex low, CellIndex high);
+
+  GridGeometry geometry_;
+  CellIndex corner_;  // of cell (0, 0), counted in cells from the map frame's origin
+  std::vector<LogOdds> cells_;
+};
+
+}  // namespace scrubjay

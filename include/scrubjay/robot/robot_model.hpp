@@ -1,0 +1,55 @@
+/// \file
+/// What the core must know of a robot's body. Defaults: Roomba 600 / Create 2.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <scrubjay/geometry/pose2.hpp>
+#include <scrubjay/odometry/differential_drive.hpp>
+#include <scrubjay/oi/model.hpp>
+#include <scrubjay/robot/frame.hpp>
+
+namespace scrubjay {
+
+/// An infrared light sensor in the bumper: signal = gain * exp(-attenuation * range) + ambient.
+/// The curve is create3_sim's (the maker's own for Create 3); bearings for six sensors are our guess.
+struct LightSensorModel {
+  std::array<Pose2, kLightSensorCount> mount{
+      // On a circle of 154 mm at +-65, +-37.5 and +-12.5 degrees, looking outwards.
+      Pose2{0.154 * 0.42261826174069943, 0.154 * 0.90630778703664994, radians(65.0)},
+      Pose2{0.154 * 0.79335334029123517, 0.154 * 0.60876142900872066, radians(37.5)},
+      Pose2{0.154 * 0.97629600711993336, 0.154 * 0.21643961393810290, radians(12.5)},
+      Pose2{0.154 * 0.97629600711993336, -0.154 * 0.21643961393810290, radians(-12.5)},
+      Pose2{0.154 * 0.79335334029123517, -0.154 * 0.60876142900872066, radians(-37.5)},
+      Pose2{0.154 * 0.42261826174069943, -0.154 * 0.90630778703664994, radians(-65.0)}};
+  double gain = 3500.0;              ///< signal at range 0 from a white surface seen square on
+  double attenuation = 26.83;        ///< [1/m]
+  double ambient = 30.0;             ///< signal when nothing is near
+  double max_range = 0.2;            ///< useful range [m]
+  double beam_half_angle = radians(7.0);  ///< [rad]
+
+  /// Range that a signal implies for a surface of average albedo; max_range or more when it says nothing.
+  double range(std::uint16_t signal) const {
+    const double above = signal - ambient;
+    if (above <= 0.0) return 10.0 * max_range;
+    return above >= gain ? 0.0 : log(gain / above) / attenuation;
+  }
+};
+
+/// Which part of the bumper closes for a contact at which bearing (create_autonomy).
+struct BumperModel {
+  double half_from = radians(-30.0);  ///< the left half closes from here ... [rad]
+  double half_to = radians(90.0);     ///< ... to here; the right half is its mirror image [rad]
+};
+
+struct RobotModel {
+  oi::Model protocol = oi::Model::Create2;  ///< the dialect of the Open Interface that it speaks
+  double radius = 0.1735;                   ///< of the disc [m]
+  DifferentialDrive drive;
+  double max_wheel_speed = 0.5;  ///< [m/s]
+  LightSensorModel light;
+  BumperModel bumper;
+  bool has_light_sensors = true;
+};
+
+}  // namespace scrubjay

@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <scrubjay/io/file_kind.hpp>
+#include <string>
+
+#include "file_content.hpp"
+
+namespace scrubjay {
+namespace {
+
+bool has_key(std::string_view text, std::string_view key) {
+  for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
+    const bool begins_line = at == 0 || text[at - 1] == '\n';
+    if (begins_line && at + key.size() < text.size() && text[at + key.size()] == ':') return true;
+  }
+  return false;
+}
+
+bool is_trajectory(std::string_view text) {
+  while (text.starts_with('#')) text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
+  const std::string_view line = text.substr(0, text.find('\n'));
+  return std::count(line.begin(), line.end(), ' ') == 7 && line.find_first_not_of("0123456789.eE+- ") == line.npos;
+}
+
+}  // namespace
+
+std::string_view to_string(FileKind kind) {
+  switch (kind) {
+    case FileKind::Recording: return "recording";
+    case FileKind::World: return "world";
+    case FileKind::HouseExpoPlan: return "HouseExpo plan";
+    case FileKind::MapYaml: return "map";
+    case FileKind::Scenario: return "scenario";
+    case FileKind::Image: return "image";
+    case FileKind::Urdf: return "URDF robot";
+    case FileKind::Trajectory: return "trajectory";
+    case FileKind::Unknown: return "unknown";
+  }
+  return "";
+}
+
+FileKind file_kind(const std::filesystem::path& path) {
+  const std::vector<std::uint8_t> file = read_file(path);
+  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  if (text.starts_with("\x89OILOG")) return FileKind::Recording;
+  if (text.starts_with("\x89PNG") || text.starts_with("P5") || text.starts_with("P2")) return FileKind::Image;
+  if (text.find("<robot") != text.npos) return FileKind::Urdf;
+  if (text.find("\"verts\"") != text.npos) return FileKind::HouseExpoPlan;
+  if (has_key(text, "image")) return FileKind::MapYaml;
+  if (has_key(text, "walls")) return FileKind::World;
+  if (has_key(text, "strategy") || has_key(text, "world")) return FileKind::Scenario;
+  if (is_trajectory(text)) return FileKind::Trajectory;
+  return FileKind::Unknown;
+}
+
+}  // namespace scrubjay

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <scrubjay/error.hpp>
+#include <scrubjay/io/atomic_file.hpp>
+#include <scrubjay/io/image.hpp>
+#include <scrubjay/io/map_file.hpp>
+#include <scrubjay/io/map_picture.hpp>
+#include <scrubjay/io/run_files.hpp>
+#include <scrubjay/io/scenario_file.hpp>
+#include <scrubjay/io/trajectory_file.hpp>
+
+namespace scrubjay {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Micrometres and microseconds are enough for people, and keep the files readable.
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
+Json pose_json(const Pose2& pose) {
+  return {{"x", rounded(pose.x)}, {"y", rounded(pose.y)}, {"theta", rounded(pose.yaw)}};
+}
+
+std::string timing_json(const RunResult& run) {
+  const double time = run.report.time;
+  const Json json{{"wall_time_s", rounded(run.wall_time)},
+                  {"cpu_time_s", rounded(run.cpu_time)},
+                  {"times_real_time", run.cpu_time > 0.0 ? rounded(time / run.cpu_time) : 0.0}};
+  return json.dump(2) + "\n";
+}
+
+Image picture_of(const RunResult& run) {
+  MapPicture picture;
+  picture.map = run.map.view();
+  for (const StampedPose& point : run.trajectory) picture.trajectory.push_back(point.pose);
+  picture.robot = run.report.pose;
+  picture.robot_radius = run.robot_radius;
+  picture.start = Pose2{};
+  for (const Pose2& bump : run.bumps) picture.bumps.push_back(bump * Point2(run.robot_radius, 0.0));
+  if (run.report.stuck) picture.stuck.push_back(*run.report.stuck);
+  if (run.truth) {
+    picture.true_walls = run.truth->walls;
+    picture.dock = run.truth->dock;
+  }
+  const std::string world = std::filesystem::path(run.scenario.world).stem().string();
+  picture.title = world.empty() ? run.scenario.strategy : fmt::format("{}, {}", world, run.scenario.strategy);
+  return draw_map(picture);
+}
+
+}  // namespace
+
+std::string metrics_json(const RunResult& run) {
+  Json json;
+  if (run.truth) json["start"] = pose_json(run.truth->start);
+  json["ended"] = to_string(run.report.ended);
+  json["simulated_time_s"] = rounded(run.report.time);
+  json["distance_m"] = rounded(run.report.distance);
+  json["bumps"] = run.report.bumps;
+  json["pose"] = pose_json(run.report.pose);
+  if (run.report.stuck) json["stuck"] = {{"x", rounded(run.report.stuck->x())}, {"y", rounded(run.report.stuck->y())}};
+  if (run.truth) {
+    const MapScore& score = run.truth->score;
+    json["coverage"] = rounded(score.coverage);
+    json["iou"] = rounded(score.iou);
+    json["wall_precision"] = rounded(score.wall_precision);
+    json["wall_recall"] = rounded(score.wall_recall);
+    json["followed_wall_precision"] = rounded(score.followed_wall_precision);
+    json["followed_wall_recall"] = rounded(score.followed_wall_recall);
+    if (!run.truth->trajectory.empty()) {
+      json["ate_m"] = rounded(run.truth->error.ate);
+      json["final_error_m"] = rounded(run.truth->error.final_distance);
+      json["final_heading_error_rad"] = rounded(run.truth->error.final_heading);
+    }
+  }
+  json["strategy"] = run.scenario.strategy;
+  json["model"] = run.scenario.model;
+  json["noise"] = run.scenario.noise;
+  json["seed"] = run.scenario.seed;
+  return json.dump(2) + "\n";
+}
+
+void write_run(const std::filesystem::path& folder, const RunResult& run) {
+  prepare_run_folder(folder);
+  write_map(folder / "map", run.map.view());
+  const std::vector<std::uint8_t> png = encode_png(picture_of(run));
+  write_file_atomically(folder / "map.png", std::as_bytes(std::span(png)));
+  write_trajectory(folder / "trajectory.tum", run.trajectory);
+  if (run.truth && !run.truth->trajectory.empty()) {
+    write_trajectory(folder / "ground_truth.tum", run.truth->trajectory);
+  }
+  write_file_atomically(folder / "scenario.yaml", scenario_text(run.scenario));
+  write_file_atomically(folder / "timing.json", timing_json(run));
+  write_file_atomically(folder / "metrics.json", metrics_json(run));
+}
+
+void prepare_run_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw Error(fmt::format("{}: can't make this folder: {}", folder.string(), error.message()), Error::Kind::Failure);
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw Error(fmt::format("{}: can't write to this folder; want one of yours", folder.string()), Error::Kind::Failure);
+  }
+}
+
+std::vector<Segment2> walls_in_map(const World& world, const Pose2& start) {
+  const Pose2 map_from_world = inverse(start);
+  std::vector<Segment2> walls;
+  for (const SolidSegment& solid : solid_segments(world)) {
+    walls.push_back({map_from_world * solid.segment.a, map_from_world * solid.segment.b});
+  }
+  return walls;
+}
+
+}  // namespace scrubjay

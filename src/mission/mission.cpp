@@ -1,0 +1,53 @@
+#include <cmath>
+#include <scrubjay/mission/mission.hpp>
+
+namespace scrubjay {
+
+std::string_view to_string(Ended ended) {
+  switch (ended) {
+    case Ended::Done: return "done";
+    case Ended::TimeLimit: return "time limit";
+    case Ended::Stopped: return "stopped";
+    case Ended::Stuck: return "stuck";
+    case Ended::RobotGone: return "robot gone";
+  }
+  return "";
+}
+
+Report Mission::run(std::stop_token stop) {
+  while (const auto frame = robot_.next()) {
+    const PoseEstimate& estimate = localizer_.update(*frame);
+    mapper_.update(*frame, estimate);
+    const Decision decision = behavior_.decide({*frame, estimate, mapper_.map()});
+    for (Observer* observer : observers_) observer->notify({*frame, estimate, mapper_.map(), decision});
+    count(*frame, estimate);
+    if (const auto why = ended(*frame, estimate, decision, stop)) {
+      report_.ended = *why;
+      break;
+    }
+    robot_.drive(decision.motion);
+  }
+  robot_.stop();
+  return report_;
+}
+
+void Mission::count(const Frame& frame, const PoseEstimate& estimate) {
+  if (!first_stamp_) first_stamp_ = frame.stamp;
+  report_.time = frame.stamp - *first_stamp_;
+  report_.distance += std::fabs(0.5 * (frame.left_travel + frame.right_travel));
+  report_.bumps += frame.bumped() && !was_bumped_;
+  was_bumped_ = frame.bumped();
+  report_.pose = estimate.pose;
+}
+
+std::optional<Ended> Mission::ended(const Frame& frame, const PoseEstimate& estimate, const Decision& decision,
+                                    const std::stop_token& stop) {
+  if (stop.stop_requested()) return Ended::Stopped;
+  if (decision.done) return Ended::Done;
+  if (report_.time >= limits_.max_time) return Ended::TimeLimit;
+  if (!stuck_.update(frame, estimate.pose)) return std::nullopt;
+  report_.stuck = estimate.pose.position();
+  return Ended::Stuck;
+}
+
+}  // namespace scrubjay

@@ -1,0 +1,82 @@
+#include <gmock/gmock.h>
+
+#include <scrubjay/geometry/random.hpp>
+#include <scrubjay/io/scenario_file.hpp>
+
+#include "temporary_folder.hpp"
+
+namespace scrubjay {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string error_of(const std::string& text) {
+  return message_of([&] { parse_scenario(text, "run.yaml"); });
+}
+
+TEST(ScenarioFileTest, ReadsWhatItWrites) {
+  Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    Scenario scenario;
+    scenario.world = "worlds/flat.yaml";
+    scenario.model = "create-1";
+    scenario.strategy = "random-look";
+    scenario.noise = "carpet";
+    scenario.seed = random.next();
+    if (i % 2 == 0) {
+      scenario.start = Pose2{random.uniform(-50.0, 50.0), random.uniform(-50.0, 50.0), random.uniform(-kPi, kPi)};
+    }
+    scenario.resolution = random.uniform(0.005, 1.0);
+    scenario.max_time = random.uniform(1.0, 1e6);
+    EXPECT_EQ(parse_scenario(scenario_text(scenario), "run.yaml"), scenario) << scenario_text(scenario);
+  }
+}
+
+TEST(ScenarioFileTest, PathsMayHoldAnything) {
+  for (const char* path : {"my house.yaml", "it's.yaml", "a \"b\".yaml", "back\\slash", "a: b # c", "{}", "- x", "true",
+                           "\xC3\xA9t\xC3\xA9.json", "12", "tab\there", " both ends "}) {
+    Scenario scenario;
+    scenario.world = scenario.model = path;
+    EXPECT_EQ(parse_scenario(scenario_text(scenario), "run.yaml"), scenario) << path;
+  }
+}
+
+TEST(ScenarioFileTest, WhatIsNotGivenIsAsByDefault) {
+  Scenario expected;
+  expected.world = "room.yaml";
+  EXPECT_EQ(parse_scenario("world: room.yaml\n", "run.yaml"), expected);
+}
+
+TEST(ScenarioFileTest, ReadsAFile) {
+  const TemporaryFolder folder;
+  Scenario expected;
+  expected.world = "room.yaml";
+  expected.seed = 18446744073709551615ull;
+  EXPECT_EQ(read_scenario(folder.write("run.yaml", scenario_text(expected))), expected);
+  EXPECT_THAT(message_of([&] { read_scenario(folder / "absent.yaml"); }), HasSubstr("absent.yaml"));
+}
+
+TEST(ScenarioFileTest, WrapsTheHeading) {
+  EXPECT_NEAR(parse_scenario("start: [1, 2, 7]\n", "run.yaml").start->yaw, 7.0 - 2.0 * kPi, 1e-12);
+}
+
+TEST(ScenarioFileTest, SaysWhichFieldIsWrong) {
+  EXPECT_THAT(error_of("world: a\nseed: -1\n"), HasSubstr("run.yaml:2: seed is -1; want a whole number of 0 or more"));
+  EXPECT_THAT(error_of("seed: 18446744073709551616\n"), HasSubstr("seed"));
+  EXPECT_THAT(error_of("seed: 1.5\n"), HasSubstr("seed"));
+  EXPECT_THAT(error_of("resolution: 0\n"), HasSubstr("want a cell size from 0.005 to 1 m"));
+  EXPECT_THAT(error_of("resolution: 2\n"), HasSubstr("want a cell size from 0.005 to 1 m"));
+  EXPECT_THAT(error_of("max_time: 0\n"), HasSubstr("want a positive number of seconds"));
+  EXPECT_THAT(error_of("max_time: inf\n"), HasSubstr("max_time"));
+  EXPECT_THAT(error_of("start: [1, 2]\n"), HasSubstr("want [x, y, theta]"));
+  EXPECT_THAT(error_of("start: [1, 2, east]\n"), HasSubstr("start[2] is east"));
+  EXPECT_THAT(error_of("strategi: reactive\n"),
+              AllOf(HasSubstr("run.yaml:1: there is no field 'strategi'"), HasSubstr("did you mean 'strategy'?")));
+  EXPECT_THAT(error_of("world: [a]\n"), HasSubstr("world is a list of 1; want text"));
+  EXPECT_THAT(error_of("just text\n"), HasSubstr("run.yaml:1"));
+  EXPECT_THAT(error_of("world: {\n"), HasSubstr("run.yaml:"));
+}
+
+}  // namespace
+}  // namespace scrubjay
