@@ -30,6 +30,7 @@ struct CompareFlags {
   double resolution = 0.05;
   double max_time = 7200.0;
   unsigned threads = 0;
+  bool means = false;
   std::optional<std::string> csv;
   OutputFlags output;
 };
@@ -137,24 +138,51 @@ std::string csv_text(const std::vector<Entry>& entries) {
   return text;
 }
 
-/// A row a world, noise and strategy: means over the seeds.
-std::string markdown(const std::vector<Entry>& entries, std::uint64_t seeds) {
+std::string table_head() {
   std::string text = "| world | noise | strategy |";
   std::string rule = "|---|---|---|";
   for (const Column& column : kColumns) {
     text += fmt::format(" {} |", column.title);
     rule += "---:|";
   }
-  text += '\n' + rule + '\n';
+  return text + '\n' + rule + '\n';
+}
+
+/// A row of means over some runs.
+std::string table_row(const std::string& world, const std::vector<const Entry*>& runs) {
+  const Scenario& s = runs.front()->scenario;
+  std::string text = fmt::format("| {} | {} | {} |", world, s.noise, s.strategy);
+  for (const Column& column : kColumns) {
+    double sum = 0.0;
+    for (const Entry* entry : runs) sum += column.value(entry->run);
+    text += fmt::format(" {} |", fmt::format(fmt::runtime(column.format), sum / static_cast<double>(runs.size())));
+  }
+  return text + '\n';
+}
+
+/// A row a world, noise and strategy: means over the seeds.
+std::string markdown(const std::vector<Entry>& entries, std::uint64_t seeds) {
+  constexpr std::size_t kLongestName = 14;
+  std::string text = table_head();
   for (std::size_t i = 0; i < entries.size(); i += seeds) {
-    const Scenario& s = entries[i].scenario;
-    text += fmt::format("| {} | {} | {} |", std::filesystem::path(s.world).stem().string(), s.noise, s.strategy);
-    for (const Column& column : kColumns) {
-      double sum = 0.0;
-      for (std::size_t k = i; k < i + seeds; ++k) sum += column.value(entries[k].run);
-      text += fmt::format(" {} |", fmt::format(fmt::runtime(column.format), sum / static_cast<double>(seeds)));
+    std::vector<const Entry*> runs;
+    for (std::size_t k = i; k < i + seeds; ++k) runs.push_back(&entries[k]);
+    text += table_row(std::filesystem::path(entries[i].scenario.world).stem().string().substr(0, kLongestName), runs);
+  }
+  return text;
+}
+
+/// A row a noise and strategy: means over all worlds and seeds.
+std::string summary(const CompareFlags& flags, const std::vector<Entry>& entries) {
+  std::string text = table_head();
+  for (const std::string& noise : flags.noises) {
+    for (const std::string& strategy : flags.strategies) {
+      std::vector<const Entry*> runs;
+      for (const Entry& entry : entries) {
+        if (entry.scenario.noise == noise && entry.scenario.strategy == strategy) runs.push_back(&entry);
+      }
+      text += table_row(fmt::format("all {}", flags.worlds.size()), runs);
     }
-    text += '\n';
   }
   return text;
 }
@@ -170,6 +198,7 @@ void compare(CompareFlags flags) {
   Workers(entries, progress_wanted(flags.output.quiet), interrupt.token()).run(threads);
   if (interrupt.token().stop_requested()) throw Error("stopped before the table was complete", Error::Kind::Failure);
   if (flags.csv) write_file_atomically(*flags.csv, csv_text(entries));
+  fmt::print("{}", flags.means ? summary(flags, entries) + '\n' : "");
   fmt::print("{}", markdown(entries, flags.seeds));
 }
 
@@ -186,6 +215,7 @@ void add_compare(CLI::App& app) {
   command->add_option("--resolution", flags->resolution, "side of a map cell [m] (0.05)");
   command->add_option("--max-time", flags->max_time, "simulated seconds (7200)");
   command->add_option("--threads", flags->threads, "runs at the same time (a core each)");
+  command->add_flag("--means", flags->means, "begin with a table of means over all worlds");
   command->add_option("--csv", flags->csv, "every run, as a file of comma-separated values");
   command->add_flag("--quiet", flags->output.quiet, "print no progress");
   command->callback([flags] { compare(*flags); });

@@ -45,7 +45,8 @@ void EdgeFollow::locate_edge(const Pose2& pose, const EdgeView& view) {
   if (view.point) {
     edge_ = pose * *view.point;
   } else if (view.bump_side && !touching_) {
-    edge_ = pose * Point2(robot_.radius * direction(sign(side_) * radians(45.0)));
+    const bool cliff = state_ == State::Retreat;  // felt by the sensors in front
+    edge_ = pose * Point2(robot_.radius * direction(sign(side_) * radians(cliff ? 15.0 : 45.0)));
   } else if (!view.bump_side && touching_ && state_ == State::Align) {
     edge_ = pose * Point2(0.0, sign(side_) * robot_.radius);
   }
@@ -106,7 +107,8 @@ void EdgeFollow::go_round(const Situation& now) {
     if (!known_) ++loops_closed_;
     return leave_edge(now, edge_bearing);
   }
-  if (!known_ || closure_.length() - looked_at_ < params_.look_distance) return;
+  const bool at_cliff = extra_gap_ >= params_.cliff_gap;  // no place to turn at once
+  if (!known_ || at_cliff || closure_.length() - looked_at_ < params_.look_distance) return;
   looked_at_ = closure_.length();
   turn_to_unknown(now, edge_bearing);
 }
@@ -140,13 +142,19 @@ void EdgeFollow::align(const Situation& now, const EdgeView& view) {
 }
 
 void EdgeFollow::follow(const EdgeView& view) {
-  if (view.bump_side && !touched_) extra_gap_ = std::min(extra_gap_ + params_.dark_step, params_.lost_range / 2.0);
+  const bool at_cliff = extra_gap_ >= params_.cliff_gap;
+  if (at_cliff && edge_seen(view)) extra_gap_ = 0.0;  // the cliff has ended at a wall
+  if (view.bump_side && !touched_) {
+    const double most = params_.lost_range - target_side_range_ - params_.dark_step;
+    extra_gap_ = std::min(extra_gap_ + params_.dark_step, std::max(extra_gap_, most));
+  }
   touched_ = view.bump_side;
   if (view.bump_side || ahead(view)) return enter(State::Align);
   if (edge_seen(view)) {
     orbited_ = 0.0;
     return;
   }
+  if (!at_cliff) extra_gap_ = 0.0;  // the next surface may be brighter
   enter(State::Orbit);
 }
 

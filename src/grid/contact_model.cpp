@@ -9,7 +9,7 @@ namespace {
 bool apart(const Pose2& a, const Pose2& b, double distance) {
   const double dx = a.x - b.x;
   const double dy = a.y - b.y;
-  return dx * dx + dy * dy >= distance * distance;
+  return !(dx * dx + dy * dy < distance * distance);  // NaN is far from everything, so that a mapper notices it
 }
 
 /// The arc of bearings that a bump leaves open, between two bearings in the robot's frame [rad].
@@ -33,6 +33,7 @@ ContactModel::ContactModel(const RobotModel& robot, const ContactModelParams& pa
       swept_(log_odds(params.swept)),
       lit_(log_odds(params.lit)),
       beam_(log_odds(params.beam)),
+      no_floor_(log_odds(params.no_floor)),
       bumped_(log_odds(params.bumped)),
       bumped_blindly_(log_odds(params.bumped_blindly)) {}
 
@@ -58,6 +59,7 @@ void ContactModel::integrate(const Frame& frame, const Pose2& pose, GridView<Log
     mark_swept(pose, grid);
     last_swept_ = pose;
   }
+  if (frame.cliff_flags != 0) mark_cliffs(frame, pose, grid);
   const bool sense = turned(pose);
   if (sense && robot_.has_light_sensors) mark_light(frame, pose, grid);
   if (frame.bumped() && (bump_began(frame) || sense)) mark_bump(frame, pose, grid);
@@ -67,7 +69,9 @@ void ContactModel::integrate(const Frame& frame, const Pose2& pose, GridView<Log
 }
 
 void ContactModel::mark_swept(const Pose2& pose, GridView<LogOdds> grid) const {
-  visit_disc(grid.geometry, pose.position(), robot_.radius, [&](CellIndex c) { update_cell(grid[c], swept_); });
+  // Cells that the shell only grazes may hold the wall that it grazes.
+  const double certain = robot_.radius - params_.grazed * grid.geometry.resolution;
+  visit_disc(grid.geometry, pose.position(), certain, [&](CellIndex c) { update_cell(grid[c], swept_); });
 }
 
 void ContactModel::mark_light(const Frame& frame, const Pose2& pose, GridView<LogOdds> grid) const {
@@ -80,6 +84,14 @@ void ContactModel::mark_light(const Frame& frame, const Pose2& pose, GridView<Lo
     visit_line(grid.geometry, sensor.position(), hit, [&](CellIndex c) {
       if (grid.contains(c)) update_cell(grid[c], c == end ? lit_ : beam_);
     });
+  }
+}
+
+void ContactModel::mark_cliffs(const Frame& frame, const Pose2& pose, GridView<LogOdds> grid) const {
+  for (std::size_t i = 0; i < robot_.cliff_sensors.size(); ++i) {
+    if ((frame.cliff_flags >> i & 1) == 0) continue;
+    const CellIndex cell = grid.geometry.cell_at(pose * robot_.cliff_sensors[i]);
+    if (grid.contains(cell)) update_cell(grid[cell], no_floor_);
   }
 }
 

@@ -111,7 +111,7 @@ void read_urdf_body(const std::filesystem::path& urdf, sim::RobotSpec& spec) {
       body, {"light_left", "light_front_left", "light_center_left", "light_center_right", "light_front_right", "light_right"},
       [&](std::size_t i, const Pose2& pose) { model.light.mount[i] = pose; });
   read_row(body, {"cliff_left", "cliff_front_left", "cliff_front_right", "cliff_right"},
-           [&](std::size_t i, const Pose2& pose) { spec.cliff_sensors[i] = pose.position(); });
+           [&](std::size_t i, const Pose2& pose) { model.cliff_sensors[i] = pose.position(); });
   if (body.has("wall_sensor")) spec.wall.mount = body.place("wall_sensor");
   if (body.has("infrared_receiver")) spec.infrared.receiver = body.place("infrared_receiver").position();
 }

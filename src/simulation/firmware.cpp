@@ -11,9 +11,13 @@ namespace {
 
 using oi::PacketId;
 
-int wire(double value) { return static_cast<int>(std::lround(value)); }
+int wire(double value) {
+  return static_cast<int>(std::lround(value));
+}
 
-int counts(double signal) { return std::clamp(static_cast<int>(signal + 0.5), 0, 4095); }
+int counts(double signal) {
+  return std::clamp(static_cast<int>(signal + 0.5), 0, 4095);
+}
 
 /// Queries that wait for a tick, at most: at 115,200 baud no more bytes than this can come in one.
 constexpr std::size_t kMaxQueries = 172 / 2;
@@ -142,8 +146,7 @@ void Firmware::tick(const BodySenses& senses, std::vector<std::uint8_t>& out) {
   if (!streaming_) return;
   const std::size_t before = out.size();
   out.resize(before + oi::kMaxStreamFrame);
-  const std::size_t size =
-      oi::encode_stream_frame(stream_, sensors_, model_, std::span(out).subspan(before));
+  const std::size_t size = oi::encode_stream_frame(stream_, sensors_, model_, std::span(out).subspan(before));
   out.resize(before + size);
   if (size == 0) return;  // more than a frame can hold
   for (const oi::SensorId id : stream_) forget_travel(id);
@@ -172,7 +175,9 @@ void Firmware::heed_safety(const BodySenses& senses) {
   enter(mode_after_safety(mode_, inputs));
 }
 
-void Firmware::play_on() { song_left_ = std::max(0.0, song_left_ - kTick); }
+void Firmware::play_on() {
+  song_left_ = std::max(0.0, song_left_ - kTick);
+}
 
 void Firmware::store(const BodySenses& senses) {
   oi::Sensors& s = sensors_;
@@ -235,8 +240,8 @@ void Firmware::store_travel(const BodySenses& senses) {
   right_counted_ += right / drive.metres_per_count();
   // Capped where their bytes end.
   const auto capped = [](double value) { return std::clamp(value, -32768.0, 32767.0); };
-  const double angle_unit = model_ == oi::Model::Roomba400 ? 500.0 * drive.wheel_separation
-                                                           : degrees(1.0) * options_.quirks.angle_divisor;
+  const double angle_unit =
+      model_ == oi::Model::Roomba400 ? 500.0 * drive.wheel_separation : degrees(1.0) * options_.quirks.angle_divisor;
   distance_ = capped(distance_ + 500.0 * (left + right));
   angle_ = capped(angle_ + (right - left) / drive.wheel_separation * angle_unit);
 

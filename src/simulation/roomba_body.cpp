@@ -146,8 +146,8 @@ void RoombaBody::State::feel_floor() {
   senses.cliff_flags = 0;
   senses.wheel_drop_left = senses.wheel_drop_right = false;
   if (!world.cliffs.empty()) {
-    for (std::size_t i = 0; i < spec.cliff_sensors.size(); ++i) {
-      if (surroundings.over_cliff(truth.pose * spec.cliff_sensors[i])) {
+    for (std::size_t i = 0; i < spec.model.cliff_sensors.size(); ++i) {
+      if (surroundings.over_cliff(truth.pose * spec.model.cliff_sensors[i])) {
         senses.cliff_flags |= static_cast<std::uint8_t>(1u << i);
       }
     }

@@ -232,6 +232,17 @@ void mark_facing(const DiscLattice& lattice, const std::vector<CellIndex>& rim, 
   }
 }
 
+/// The edge of a cliff belongs into a map as a wall does; it can't be touched, so no robot must have found it.
+void mark_cliff_edges(const std::vector<Polygon>& cliffs, GroundTruth& truth) {
+  for (const Polygon& cliff : cliffs) {
+    for (std::size_t i = 0; i < cliff.size(); ++i) {
+      visit_line(truth.geometry, cliff[i], cliff[(i + 1) % cliff.size()], [&](CellIndex cell) {
+        if (truth.geometry.contains(cell)) truth.cells[truth.geometry.index(cell)].wall = true;
+      });
+    }
+  }
+}
+
 }  // namespace
 
 GroundTruth ground_truth(const World& world, const Pose2& start, double robot_radius, double resolution) {
@@ -267,6 +278,7 @@ GroundTruth ground_truth(const World& world, const Pose2& start, double robot_ra
   mark_reachable(lattice, rim, radius, truth);
   Boundaries boundaries(lattice);
   mark_facing(lattice, rim, pieces, robot_radius + std::sqrt(2.0) * lattice.geometry.resolution, boundaries, truth);
+  mark_cliff_edges(outline.cliffs, truth);
   const std::vector<std::uint16_t> ranks = boundaries.ranks();
   for (GroundTruth::Cell& cell : truth.cells) {
     if (cell.facing) cell.boundary = ranks[cell.boundary];

@@ -38,7 +38,7 @@ inline const std::map<std::string, Room>& house() {
       {"geometry", {0, {}}},
       {"oi", {0, {}}},
       {"odometry", {0, {"geometry"}}},
-      {"grid", {0, {"geometry"}}},
+      {"grid", {0, {"geometry", "robot"}}},
       {"robot", {0, {"oi", "odometry", "geometry"}}},
       {"behavior", {0, {"robot", "grid", "geometry", "odometry"}}},
       {"mapping", {1, core}},

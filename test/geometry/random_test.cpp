@@ -31,7 +31,7 @@ TEST(RandomTest, KeepsItsNormalNumbers) {
 
 TEST(RandomTest, KeepsItsSmallNumbers) {
   Random random(7);
-  for (const std::uint32_t number : {524, 302, 940, 883, 663, 344, 398, 604, 811, 87, 912, 170}) {
+  for (const std::uint32_t number : {524u, 302u, 940u, 883u, 663u, 344u, 398u, 604u, 811u, 87u, 912u, 170u}) {
     EXPECT_EQ(random.below(1000), number);
   }
 }

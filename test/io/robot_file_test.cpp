@@ -70,7 +70,7 @@ TEST_F(RobotFileTest, ReadsTheRoomba600AsTheCoreKnowsIt) {
   EXPECT_NEAR(spec.model.light.attenuation, known.model.light.attenuation, 1e-9);
   EXPECT_NEAR(spec.model.bumper.half_from, known.model.bumper.half_from, 1e-5);
   for (std::size_t i = 0; i < kCliffSensorCount; ++i) {
-    EXPECT_NEAR((spec.cliff_sensors[i] - known.cliff_sensors[i]).norm(), 0.0, 1e-5) << i;
+    EXPECT_NEAR((spec.model.cliff_sensors[i] - known.model.cliff_sensors[i]).norm(), 0.0, 1e-5) << i;
   }
   EXPECT_NEAR(spec.wall.mount.yaw, known.wall.mount.yaw, 1e-4);
   EXPECT_NEAR(spec.wall.max_range, known.wall.max_range, 1e-9);

@@ -138,7 +138,7 @@ TEST(OdometryCovarianceTest, StaysSymmetricAndPositiveOnAnyDrive) {
   Random random(2);
   for (int run = 0; run < 20; ++run) {
     Odometry odometry(kDrive, {random.uniform(0.0, 1e-4), random.uniform(0.0, 1e-4)});
-    double trace = 0.0;
+    double heading = 0.0;
     for (int i = 0; i < 5000; ++i) {
       const WheelTravel tick{random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01)};
       const Eigen::Matrix3d& p = odometry.update(tick, i * 0.015).covariance;
@@ -146,8 +146,8 @@ TEST(OdometryCovarianceTest, StaysSymmetricAndPositiveOnAnyDrive) {
       if (i % 100 != 0) continue;
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p, Eigen::EigenvaluesOnly);
       ASSERT_GE(solver.eigenvalues().minCoeff(), -1e-12 * p.trace());
-      ASSERT_GT(p(2, 2), trace);  // never more certain of the heading than before
-      trace = p(2, 2);
+      ASSERT_GT(p(2, 2), heading);  // never more certain of the heading than before
+      heading = p(2, 2);
     }
   }
 }

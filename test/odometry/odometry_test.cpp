@@ -135,13 +135,13 @@ TEST(TwistTest, EndsWithinTwoTicksOfStanding) {
   EXPECT_EQ(odometry.estimate().twist_covariance.norm(), 0.0);
 }
 
-/// Drives ticks of 3 mm each wheel at true times 15 ms apart, seen at the stamps given.
 struct TwistRecord {
   double lowest = 1e9;
   double highest = -1e9;
   double mean = 0.0;
 };
 
+/// Drives ticks of 3 mm a wheel, 15 ms apart in truth, at the stamps given.
 TwistRecord drive_at(const std::vector<double>& stamps) {
   Odometry odometry(kDrive);
   TwistRecord record;

@@ -12,7 +12,6 @@ namespace {
 
 using oi::PacketId;
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 const Bytes kQuery{142, 0};
 
@@ -100,7 +99,7 @@ TEST_F(OiRobotPollingTest, AStrayByteDoesntShiftTheRepliesBehindIt) {
 }
 
 TEST_F(OiRobotPollingTest, WaitsForSilenceWhenALateByteMayFollow) {
-  const Bytes shifted = Bytes{19} + reply(measured(5, 0));
+  const Bytes shifted = Bytes{0x55} + reply(measured(5, 0));  // no bumper has so many bits
   channel.give(0.0, reply(measured(0, 0)));
   channel.give(0.015, {shifted.begin(), shifted.end() - 1});
   channel.give(0.017, {shifted.back()});
@@ -127,9 +126,10 @@ TEST_F(OiRobotPollingTest, NoticesSilenceAndGoesOnAsking) {
 TEST_F(OiRobotPollingTest, DrivesByRadius) {
   EXPECT_EQ(told({0.2, 0.0}), std::pair(200, -32768));
   EXPECT_EQ(told({-0.2, 0.0}), std::pair(-200, -32768));
-  EXPECT_EQ(told({0.2, 0.5}), std::pair(200, 400));
-  EXPECT_EQ(told({0.2, -0.5}), std::pair(200, -400));
-  EXPECT_EQ(told({-0.2, 0.5}), std::pair(-200, -400));
+  // Wheels of 141 and 259 mm/s; a radius of 400 mm but for their rounding.
+  EXPECT_EQ(told({0.2, 0.5}), std::pair(200, 398));
+  EXPECT_EQ(told({0.2, -0.5}), std::pair(200, -398));
+  EXPECT_EQ(told({-0.2, 0.5}), std::pair(-200, -398));
 }
 
 TEST_F(OiRobotPollingTest, SpinsWhereTheRadiusIsNone) {

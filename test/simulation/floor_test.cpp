@@ -13,9 +13,9 @@ Polygon hole(const Point2& center) {
 TEST(CliffTest, EachSensorSeesTheHoleUnderIt) {
   const Pose2 pose{1.0, -2.0, 2.0};
   const sim::RobotSpec spec;
-  for (std::size_t i = 0; i < spec.cliff_sensors.size(); ++i) {
+  for (std::size_t i = 0; i < spec.model.cliff_sensors.size(); ++i) {
     World world;
-    world.cliffs = {hole(pose * spec.cliff_sensors[i])};
+    world.cliffs = {hole(pose * spec.model.cliff_sensors[i])};
     Stage stage(world, pose);
     EXPECT_EQ(stage.feel().cliff_flags, 1 << i);
     EXPECT_FALSE(stage.feel().wheel_drop_left || stage.feel().wheel_drop_right);

@@ -32,7 +32,7 @@ TEST(RoombaBodyTest, GainsAndLosesSpeedNoFasterThanItsMotorsCan) {
   const sim::RobotSpec spec;
   double rolled = 0.0;
   double speed = 0.0;
-  /// Ticks until the wheels turn as fast as that, each change within `limit` [m/s^2].
+  // Ticks until the wheels turn as fast as that, each change within `limit` [m/s^2].
   const auto ticks_to = [&](double wanted, double limit) {
     for (int ticks = 0; ticks < 1000; ++ticks) {
       if (std::fabs(speed - wanted) < 1e-9) return ticks;

@@ -72,7 +72,7 @@ TEST_P(StrategyDriveTest, DrivesAMinuteWithoutCrossingAWallTheSameForASeed) {
     const Report report = exploration.run(60.0, [&](const sim::Truth& truth) {
       least = std::min(least, exploration.index.distance(truth.pose.position(), 1.0));
     });
-    EXPECT_GT(least, kRadius - 0.0075);
+    EXPECT_GT(least, kRadius - 0.0085);
     EXPECT_EQ(report.ended, Ended::TimeLimit);
     EXPECT_NEAR(report.time, 60.0, 0.1);
     EXPECT_GT(report.distance, 0.5);

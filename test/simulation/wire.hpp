@@ -59,4 +59,11 @@ class FirmwareBench {
   oi::Model protocol_;
 };
 
+/// A firmware in Safe mode.
+inline FirmwareBench safe(const sim::FirmwareOptions& options = {}) {
+  FirmwareBench bench(oi::Model::Create2, options);
+  bench.send({128, 131});
+  return bench;
+}
+
 }  // namespace scrubjay::test

@@ -25,7 +25,7 @@ struct EdgeFollowParams {
   double glance_spacing = radians(60.0);  ///< of the way around an outer corner between two glances [rad]
   double dark_step = 0.01;       ///< kept off farther after each touch: the surface is darker than it seems [m]
   double cliff_gap = 0.06;       ///< kept off farther from a cliff: wheels are nearer to it than the shell [m]
-  double cliff_turn = radians(30.0);  ///< turned away from a cliff at least, after driving back [rad]
+  double cliff_turn = radians(40.0);  ///< turned away from a cliff at least, after driving back [rad]
   double retreat = 0.05;         ///< driven back from a cliff or a virtual wall [m]
   double full_turn = 2.0 * kPi;  ///< turned this far without an edge, forget it [rad]; the thesis's hundred turns
   double look_distance = 1.0;    ///< along a known edge between two looks for unknown floor [m]
@@ -92,7 +92,7 @@ class EdgeFollow final : public Behavior {
   bool ahead(const EdgeView& view) const;
   bool clear(const EdgeView& view) const;
   bool edge_seen(const EdgeView& view) const { return view.side <= params_.lost_range; }
-  bool following() const { return state_ >= State::Align && state_ <= State::GlanceOut; }
+  bool following() const { return state_ >= State::Retreat && state_ <= State::GlanceOut; }
   Point2 edge_in_robot(const Pose2& pose) const;
 
   RobotModel robot_;

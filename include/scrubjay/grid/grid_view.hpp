@@ -19,10 +19,10 @@ struct CellIndex {
 
 /// Where a grid's cells lie. Rows run along x, from the origin upwards, as in nav_msgs/OccupancyGrid.
 struct GridGeometry {
-  double resolution = 0.05;   ///< side of a cell [m]
-  Point2 origin{0.0, 0.0};    ///< lower left corner of cell (0, 0) [m]
-  std::int32_t width = 0;     ///< [cells]
-  std::int32_t height = 0;    ///< [cells]
+  double resolution = 0.05;  ///< side of a cell [m]
+  Point2 origin{0.0, 0.0};   ///< lower left corner of cell (0, 0) [m]
+  std::int32_t width = 0;    ///< [cells]
+  std::int32_t height = 0;   ///< [cells]
 
   bool contains(CellIndex c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
   std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }

@@ -59,8 +59,8 @@ void visit_disc(const GridGeometry& grid, const Point2& center, double radius, V
 }
 
 /// Calls `visit(CellIndex)` once for every cell that holds one of the points, at most half a cell apart, on the arc of
-/// `radius` around `center` between two bearings [rad], counter-clockwise and less than a turn apart. The radius must
-/// be two cells or more. Cells may lie outside of the grid.
+/// `radius` around `center` between two bearings [rad], counter-clockwise and at most 3/4 of a turn apart. The radius
+/// must be two cells or more. Cells may lie outside of the grid.
 template <typename Visit>
 void visit_arc(const GridGeometry& grid, const Point2& center, double radius, double from, double to, Visit&& visit) {
   const int steps = std::max(1, static_cast<int>(std::ceil((to - from) * radius / (0.5 * grid.resolution))));

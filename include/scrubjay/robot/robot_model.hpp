@@ -49,6 +49,9 @@ struct RobotModel {
   double max_wheel_speed = 0.5;  ///< [m/s]
   LightSensorModel light;
   BumperModel bumper;
+  /// Left, front left, front right, right (create_autonomy) [m].
+  std::array<Point2, kCliffSensorCount> cliff_sensors{Point2(0.07, 0.14), Point2(0.15, 0.04), Point2(0.15, -0.04),
+                                                      Point2(0.07, -0.14)};
   bool has_light_sensors = true;
 };
 

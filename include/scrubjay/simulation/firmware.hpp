@@ -81,9 +81,9 @@ class Firmware {
 
   double left_before_ = 0.0;  // rolled until the last tick [m]
   double right_before_ = 0.0;
-  double distance_ = 0.0;       // since it was last sent [mm]
-  double angle_ = 0.0;          // the same, in the unit of its packet
-  double left_counted_ = 0.0;   // by the encoders [counts]
+  double distance_ = 0.0;      // since it was last sent [mm]
+  double angle_ = 0.0;         // the same, in the unit of its packet
+  double left_counted_ = 0.0;  // by the encoders [counts]
   double right_counted_ = 0.0;
 
   std::array<std::vector<oi::Note>, 16> songs_;

@@ -43,9 +43,6 @@ struct RobotSpec {
   double acceleration = 0.4;  ///< of a wheel [m/s^2] (Gazebo plugin of create_autonomy)
   double braking = 0.3;       ///< of a wheel [m/s^2] (the same)
   double wheel_drop_offset = 0.1175;  ///< of the wheels from the middle [m]
-  /// Left, front left, front right, right (create_autonomy).
-  std::array<Point2, kCliffSensorCount> cliff_sensors{Point2(0.07, 0.14), Point2(0.15, 0.04), Point2(0.15, -0.04),
-                                                      Point2(0.07, -0.14)};
   WallSensorSpec wall;
   InfraredSpec infrared;
   BatterySpec battery;

@@ -28,7 +28,7 @@ inline constexpr double kBumperGive = 0.001;
 struct GroundTruth {
   struct Cell {
     bool reachable = false;      ///< its centre can be swept, and it is no wall
-    bool wall = false;           ///< something solid runs through it
+    bool wall = false;           ///< something solid, or a cliff's edge, runs through it
     bool facing = false;         ///< ... that the disc can touch
     std::uint16_t boundary = 0;  ///< which boundary a facing wall belongs to, from 1 on; 0 where not facing
   };
