@@ -54,6 +54,7 @@ std::vector<Entry> all_scenarios(const CompareFlags& flags) {
           scenario.seed = seed;
           scenario.resolution = flags.resolution;
           scenario.max_time = flags.max_time;
+          check_scenario(scenario);
           entries.push_back({scenario, {}});
         }
       }
@@ -65,11 +66,12 @@ std::vector<Entry> all_scenarios(const CompareFlags& flags) {
 /// Runs all entries, each on one thread from begin to end. What comes out doesn't depend on how many threads there are.
 class Workers {
  public:
-  Workers(std::vector<Entry>& entries, bool show, const std::stop_token& stop) : entries_(entries), show_(show), stop_(stop) {}
+  Workers(std::vector<Entry>& entries, bool show, const std::stop_token& stop)
+      : entries_(entries), show_(show), stop_(stop) {}
 
-  void run(unsigned threads) {
+  void run(std::size_t threads) {
     std::vector<std::jthread> pool;
-    for (unsigned i = 0; i < threads; ++i) pool.emplace_back([this] { work(); });
+    for (std::size_t i = 0; i < threads; ++i) pool.emplace_back([this] { work(); });
     pool.clear();
     if (show_) fmt::print(stderr, "\r\033[K");
     if (failure_) std::rethrow_exception(failure_);
@@ -81,7 +83,8 @@ class Workers {
       try {
         Entry& entry = entries_[i];
         const Stage stage = set_stage(entry.scenario);
-        entry.run = run_simulated(entry.scenario, stage, {}, stop_);
+        const GroundTruth truth = truth_of(stage, entry.scenario.resolution);
+        entry.run = run_simulated(entry.scenario, stage, truth, {}, stop_);
         // A table needs no trajectories, of which there may be thousands.
         entry.run.trajectory = {};
         entry.run.truth->trajectory = {};
@@ -191,10 +194,11 @@ void compare(CompareFlags flags) {
   const std::vector<std::string_view> known = strategy_names();
   if (flags.strategies.empty()) flags.strategies.assign(known.begin(), known.end());
   for (const std::string& strategy : flags.strategies) make_strategy(strategy, {}, Random(0));
-  if (flags.seeds == 0) throw Error("--seeds is 0; want at least 1");
+  if (flags.seeds < 1 || flags.seeds > 10000) throw Error(fmt::format("--seeds is {}; want 1 to 10000", flags.seeds));
   std::vector<Entry> entries = all_scenarios(flags);
   const Interrupt interrupt;
-  const unsigned threads = flags.threads > 0 ? flags.threads : std::max(1u, std::thread::hardware_concurrency());
+  const unsigned wanted = flags.threads > 0 ? flags.threads : std::max(1u, std::thread::hardware_concurrency());
+  const auto threads = std::min<std::size_t>(wanted, entries.size());
   Workers(entries, progress_wanted(flags.output.quiet), interrupt.token()).run(threads);
   if (interrupt.token().stop_requested()) throw Error("stopped before the table was complete", Error::Kind::Failure);
   if (flags.csv) write_file_atomically(*flags.csv, csv_text(entries));
@@ -210,11 +214,11 @@ void add_compare(CLI::App& app) {
   command->add_option("WORLD", flags->worlds, "worlds, plans or maps")->required();
   command->add_option("--strategies", flags->strategies, "comma-separated (all)")->delimiter(',');
   command->add_option("--noise", flags->noises, "profiles, comma-separated (none)")->delimiter(',');
-  command->add_option("--seeds", flags->seeds, "runs from seed 1 to this, averaged (3)");
+  command->add_option("--seeds", flags->seeds, "runs from seed 1 to this, averaged (3)")->check(whole_number);
   command->add_option("--model", flags->model, "robot (roomba-600)");
-  command->add_option("--resolution", flags->resolution, "side of a map cell [m] (0.05)");
-  command->add_option("--max-time", flags->max_time, "simulated seconds (7200)");
-  command->add_option("--threads", flags->threads, "runs at the same time (a core each)");
+  command->add_option("--resolution", flags->resolution, "side of a map cell [m] (0.05)")->check(number);
+  command->add_option("--max-time", flags->max_time, "simulated seconds (7200)")->check(number);
+  command->add_option("--threads", flags->threads, "runs at the same time (a core each)")->check(whole_number);
   command->add_flag("--means", flags->means, "begin with a table of means over all worlds");
   command->add_option("--csv", flags->csv, "every run, as a file of comma-separated values");
   command->add_flag("--quiet", flags->output.quiet, "print no progress");

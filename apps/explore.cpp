@@ -26,21 +26,23 @@ struct ExploreFlags {
 
 void explore(const ExploreFlags& flags) {
   const Scenario scenario = make_scenario(flags.scenario);
-  if (!(flags.speed >= 0.0)) throw Error(fmt::format("--speed is {}; want 0 (as fast as possible) or more", flags.speed));
+  expect_speed(flags.speed);
   const Stage stage = set_stage(scenario);
   make_strategy(scenario.strategy, stage.robot.model, Random(0));  // an unknown one is refused before anything is made
+  const GroundTruth truth = truth_of(stage, scenario.resolution);
   const std::filesystem::path folder =
-      flags.out ? std::filesystem::path(*flags.out) : std::filesystem::path("out") / std::filesystem::path(scenario.world).stem();
+      flags.out ? std::filesystem::path(*flags.out)
+                : std::filesystem::path("out") / std::filesystem::path(scenario.world).stem();
   prepare_run_folder(folder);
 
   const Interrupt interrupt;
   RunOptions options;
   options.speed = flags.speed;
   if (flags.record) options.record = *flags.record;
-  if (progress_wanted(flags.output.quiet)) {
-    options.watch = [](LazyTruth& truth) { return std::make_unique<Progress>(truth); };
-  }
-  const RunResult run = run_simulated(scenario, stage, options, interrupt.token());
+  std::optional<Progress> progress;
+  if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(truth);
+  const RunResult run = run_simulated(scenario, stage, truth, options, interrupt.token());
+  progress.reset();
   write_run(folder, run);
   print_summary(run, folder, flags.output);
   if (run.report.ended == Ended::RobotGone) throw Error("the robot fell silent", Error::Kind::Failure);
@@ -52,7 +54,7 @@ void add_explore(CLI::App& app) {
   CLI::App* command = app.add_subcommand("explore", "Explore a world with a simulated robot and write a map");
   const auto flags = std::make_shared<ExploreFlags>();
   add_scenario_flags(*command, flags->scenario);
-  command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)");
+  command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)")->check(number);
   command->add_option("--out", flags->out, "folder for the results (out/WORLD)");
   command->add_option("--record", flags->record, "record all bytes to this .oilog");
   add_output_flags(*command, flags->output);

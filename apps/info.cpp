@@ -19,7 +19,7 @@
 namespace scrubjay::apps {
 namespace {
 
-void print_recording(const std::filesystem::path& path) {
+std::string describe_recording(const std::filesystem::path& path) {
   RecordingReader recording(path);
   std::size_t received = 0;
   std::size_t sent = 0;
@@ -32,12 +32,11 @@ void print_recording(const std::filesystem::path& path) {
     any = true;
     last = chunk->stamp;
   }
-  fmt::print("length: {:.3f} s\nreceived: {} bytes\nsent: {} bytes\nwhole: {}\n", last - first, received, sent,
-             recording.cut() ? "no, cut or damaged at the end" : "yes");
-  fmt::print("{}", recording.scenario());
+  return fmt::format("length: {:.3f} s\nreceived: {} bytes\nsent: {} bytes\nwhole: {}\n{}", last - first, received,
+                     sent, recording.cut() ? "no, cut or damaged at the end" : "yes", recording.scenario());
 }
 
-void print_world(const std::filesystem::path& path) {
+std::string describe_world(const std::filesystem::path& path) {
   const World world = read_world(path);
   const std::vector<SolidSegment> solids = solid_segments(world);
   Point2 low(0.0, 0.0);
@@ -47,62 +46,77 @@ void print_world(const std::filesystem::path& path) {
     low = i == 0 ? s.a.cwiseMin(s.b).eval() : low.cwiseMin(s.a).cwiseMin(s.b).eval();
     high = i == 0 ? s.a.cwiseMax(s.b).eval() : high.cwiseMax(s.a).cwiseMax(s.b).eval();
   }
-  fmt::print("name: {}\nsize: {:.2f} x {:.2f} m\nwalls: {}\nfurniture: {}\nsegments: {}\n", world.name,
-             high.x() - low.x(), high.y() - low.y(), world.walls.size(), world.furniture.size(), solids.size());
-  fmt::print("doors: {}\ncliffs: {}\ncarpets: {}\ndirt: {}\nvirtual walls: {}\ndock: {}\n", world.doors.size(),
-             world.cliffs.size(), world.carpets.size(), world.dirt.size(), world.virtual_walls.size(),
-             world.dock ? "yes" : "no");
-  if (world.start) fmt::print("start: {}, {}, {}\n", world.start->x, world.start->y, world.start->yaw);
+  std::string text =
+      fmt::format("name: {}\nsize: {:.2f} x {:.2f} m\nwalls: {}\nfurniture: {}\nsegments: {}\n", world.name,
+                  high.x() - low.x(), high.y() - low.y(), world.walls.size(), world.furniture.size(), solids.size());
+  text += fmt::format("doors: {}\ncliffs: {}\ncarpets: {}\ndirt: {}\nvirtual walls: {}\ndock: {}\n", world.doors.size(),
+                      world.cliffs.size(), world.carpets.size(), world.dirt.size(), world.virtual_walls.size(),
+                      world.dock ? "yes" : "no");
+  if (world.start) {
+    text += fmt::format("start: {}, {}, {}\n", world.start->x, world.start->y, world.start->yaw);
+  }
+  return text;
 }
 
-void print_map(const std::filesystem::path& path) {
+std::string describe_map(const std::filesystem::path& path) {
   std::vector<std::string> warnings;
   const OccupancyGrid map = read_map(path, &warnings);
   for (const std::string& warning : warnings) fmt::print(stderr, "scrubjay: {}\n", warning);
   const auto count = [&](auto wanted) { return std::count_if(map.cells.begin(), map.cells.end(), wanted); };
-  fmt::print("size: {} x {} cells of {} m\norigin: {}, {}\n", map.geometry.width, map.geometry.height,
-             map.geometry.resolution, map.geometry.origin.x(), map.geometry.origin.y());
-  fmt::print("free: {}\noccupied: {}\nunknown: {}\n", count([](Occupancy c) { return c >= 0 && c < 20; }),
-             count([](Occupancy c) { return c >= 65; }), count([](Occupancy c) { return c == kUnknown; }));
+  std::string text =
+      fmt::format("size: {} x {} cells of {} m\norigin: {}, {}\n", map.geometry.width, map.geometry.height,
+                  map.geometry.resolution, map.geometry.origin.x(), map.geometry.origin.y());
+  return text +
+         fmt::format("free: {}\noccupied: {}\nunknown: {}\n", count([](Occupancy c) { return c >= 0 && c < 20; }),
+                     count([](Occupancy c) { return c >= 65; }), count([](Occupancy c) { return c == kUnknown; }));
 }
 
-void print_robot(const std::filesystem::path& path) {
+std::string describe_robot(const std::filesystem::path& path) {
   const sim::RobotSpec robot = read_robot(path);
-  fmt::print("name: {}\nradius: {} m\nwheel separation: {} m\nwheel radius: {} m\nlight sensors: {}\n", robot.name,
-             robot.model.radius, robot.model.drive.wheel_separation, robot.model.drive.wheel_radius,
-             robot.model.has_light_sensors ? kLightSensorCount : 0);
+  return fmt::format("name: {}\nradius: {} m\nwheel separation: {} m\nwheel radius: {} m\nlight sensors: {}\n",
+                     robot.name, robot.model.radius, robot.model.drive.wheel_separation, robot.model.drive.wheel_radius,
+                     robot.model.has_light_sensors ? kLightSensorCount : 0);
 }
 
-void print_trajectory(const std::filesystem::path& path) {
+std::string describe_trajectory(const std::filesystem::path& path) {
   const std::vector<StampedPose> trajectory = read_trajectory(path);
   double length = 0.0;
   for (std::size_t i = 1; i < trajectory.size(); ++i) {
     length += (trajectory[i].pose.position() - trajectory[i - 1].pose.position()).norm();
   }
-  fmt::print("poses: {}\nlength: {:.3f} m\n", trajectory.size(), length);
+  return fmt::format("poses: {}\nlength: {:.3f} m\n", trajectory.size(), length);
+}
+
+std::string describe(FileKind kind, const std::string& file) {
+  switch (kind) {
+    case FileKind::Recording:
+      return describe_recording(file);
+    case FileKind::World:
+    case FileKind::HouseExpoPlan:
+      return describe_world(file);
+    case FileKind::MapYaml:
+      return describe_map(file);
+    case FileKind::Scenario:
+      return scenario_text(read_scenario(file));
+    case FileKind::Image: {
+      const Image image = read_image(file);
+      return fmt::format("size: {} x {} pixels\nchannels: {}\n", image.width, image.height, image.channels);
+    }
+    case FileKind::Urdf:
+      return describe_robot(file);
+    case FileKind::Trajectory:
+      return describe_trajectory(file);
+    case FileKind::Unknown:
+      break;
+  }
+  throw Error(file +
+              ": is none of a world, map, plan, recording, scenario, robot, trajectory or image; want one of these");
 }
 
 void info(const std::string& file) {
   const FileKind kind = file_kind(file);
-  if (kind == FileKind::Unknown) {
-    throw Error(file + ": not a file that scrubjay knows; want a world, map, plan, recording, scenario, robot, "
-                       "trajectory or image");
-  }
-  fmt::print("{}: {}\n", file, to_string(kind));
-  switch (kind) {
-    case FileKind::Recording: return print_recording(file);
-    case FileKind::World:
-    case FileKind::HouseExpoPlan: return print_world(file);
-    case FileKind::MapYaml: return print_map(file);
-    case FileKind::Scenario: return fmt::print("{}", scenario_text(read_scenario(file)));
-    case FileKind::Image: {
-      const Image image = read_image(file);
-      return fmt::print("size: {} x {} pixels\nchannels: {}\n", image.width, image.height, image.channels);
-    }
-    case FileKind::Urdf: return print_robot(file);
-    case FileKind::Trajectory: return print_trajectory(file);
-    case FileKind::Unknown: return;
-  }
+  const std::string description = describe(kind, file);  // throws before anything is printed
+  fmt::print("{}: {}\n{}", file, to_string(kind), description);
 }
 
 }  // namespace

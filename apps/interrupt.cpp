@@ -1,7 +1,6 @@
 #include "interrupt.hpp"
 
 #include <csignal>
-#include <ctime>
 
 namespace scrubjay::apps {
 namespace {
@@ -21,9 +20,9 @@ Interrupt::Interrupt() {
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
   waiter_ = std::jthread([this](const std::stop_token& end) {
     const sigset_t awaited = stop_signals();
-    const timespec patience{0, 100'000'000};
-    while (!end.stop_requested()) {
-      const int signal = sigtimedwait(&awaited, nullptr, &patience);
+    while (true) {
+      const int signal = sigwaitinfo(&awaited, nullptr);
+      if (end.stop_requested()) return;  // woken by the destructor
       if (signal <= 0) continue;
       if (stop_.stop_requested()) {
         // Asked twice: whoever asks doesn't want to wait for the files.
@@ -38,6 +37,7 @@ Interrupt::Interrupt() {
 
 Interrupt::~Interrupt() {
   waiter_.request_stop();
+  pthread_kill(waiter_.native_handle(), SIGTERM);
   waiter_.join();
   const sigset_t set = stop_signals();
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);

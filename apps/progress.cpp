@@ -26,13 +26,16 @@ Known count_known(GridView<const LogOdds> map, const GroundTruth& truth) {
       covered += value == kFree && truth.geometry.contains(there) && truth.cells[truth.geometry.index(there)].reachable;
     }
   }
-  known.coverage = truth.reachable_count > 0 ? static_cast<double>(covered) / static_cast<double>(truth.reachable_count) : 1.0;
+  known.coverage =
+      truth.reachable_count > 0 ? static_cast<double>(covered) / static_cast<double>(truth.reachable_count) : 1.0;
   return known;
 }
 
 }  // namespace
 
-bool progress_wanted(bool quiet) { return !quiet && isatty(STDERR_FILENO) != 0; }
+bool progress_wanted(bool quiet) {
+  return !quiet && isatty(STDERR_FILENO) != 0;
+}
 
 Progress::~Progress() {
   if (any_) fmt::print(stderr, "\r\033[K");
@@ -50,7 +53,7 @@ void Progress::notify(const Snapshot& now) {
 void Progress::show(const Snapshot& now, Clock::time_point clock) {
   any_ = true;
   const double elapsed = std::chrono::duration<double>(clock - begin_).count();
-  const Known known = count_known(now.map, truth_());
+  const Known known = count_known(now.map, truth_);
   const std::string line =
       fmt::format("{:6.0f} s  {:6.0f} x  {:7} cells  {:3.0f} % covered  {}", now.frame.stamp, now.frame.stamp / elapsed,
                   known.cells, 100.0 * known.coverage, now.decision.doing);

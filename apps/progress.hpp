@@ -4,20 +4,19 @@
 
 #include <chrono>
 #include <scrubjay/mission/observer.hpp>
-
-#include "simulated_run.hpp"
+#include <scrubjay/world/score.hpp>
 
 namespace scrubjay::apps {
 
 /// Whether there is a terminal to show progress on.
 bool progress_wanted(bool quiet);
 
-/// Simulated time, speed, cells known, coverage and what the robot does, on stderr, a few times a second. It watches the
-/// clock, not the run: nothing of it gets into results.
+/// Simulated time, speed, cells known, coverage and what the robot does, on stderr, a few times a second. It watches
+/// the clock, not the run: nothing of it gets into results.
 class Progress final : public Observer {
  public:
   /// `truth` must outlive it.
-  explicit Progress(LazyTruth& truth) : truth_(truth) {}
+  explicit Progress(const GroundTruth& truth) : truth_(truth) {}
   ~Progress() override;
 
   void notify(const Snapshot& now) override;
@@ -27,7 +26,7 @@ class Progress final : public Observer {
 
   void show(const Snapshot& now, Clock::time_point clock);
 
-  LazyTruth& truth_;
+  const GroundTruth& truth_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point shown_ = begin_;
   int ticks_ = 0;

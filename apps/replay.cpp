@@ -58,27 +58,37 @@ RunResult replay_recording(RecordingReader& recording, const Scenario& scenario,
   return run;
 }
 
-/// Scores against the world if it is still where it was.
-void add_truth(RunResult& run) {
-  if (!std::filesystem::exists(run.scenario.world)) return;
-  const Stage stage = set_stage(run.scenario);
-  LazyTruth truth(stage, run.scenario.resolution);
-  run.truth = compare_with_truth(stage, truth(), run.map.view(), run.trajectory);
+/// The world of the recording, if it is still where it was.
+struct KnownWorld {
+  Stage stage;
+  GroundTruth truth;
+};
+
+std::optional<KnownWorld> find_world(const Scenario& scenario) {
+  if (!std::filesystem::exists(scenario.world)) return std::nullopt;
+  Stage stage = set_stage(scenario);
+  GroundTruth truth = truth_of(stage, scenario.resolution);
+  return KnownWorld{std::move(stage), std::move(truth)};
 }
 
 void replay(const ReplayFlags& flags) {
+  expect_speed(flags.speed);
   RecordingReader recording{std::filesystem::path(flags.log)};
   if (recording.scenario().empty()) {
     throw Error(fmt::format("{}: cut before its scenario ends; nothing can be replayed", flags.log));
   }
   const Scenario scenario = parse_scenario(recording.scenario(), flags.log + " (scenario)");
-  const std::filesystem::path folder =
-      flags.out ? std::filesystem::path(*flags.out) : std::filesystem::path("out") / std::filesystem::path(flags.log).stem();
+  const std::optional<KnownWorld> known = find_world(scenario);
+  const std::filesystem::path folder = flags.out
+                                           ? std::filesystem::path(*flags.out)
+                                           : std::filesystem::path("out") / std::filesystem::path(flags.log).stem();
   prepare_run_folder(folder);
   const Interrupt interrupt;
   RunResult run = replay_recording(recording, scenario, flags.speed, interrupt.token());
-  if (recording.cut()) fmt::print(stderr, "scrubjay: {}: cut or damaged after {:.1f} s; replayed up to there\n", flags.log, run.report.time);
-  add_truth(run);
+  if (recording.cut())
+    fmt::print(stderr, "scrubjay: {}: cut or damaged after {:.1f} s; replayed up to there\n", flags.log,
+               run.report.time);
+  if (known) run.truth = compare_with_truth(known->stage, known->truth, run.map.view(), run.trajectory);
   write_run(folder, run);
   print_summary(run, folder, flags.output);
 }
@@ -89,7 +99,7 @@ void add_replay(CLI::App& app) {
   CLI::App* command = app.add_subcommand("replay", "Map from a recording");
   const auto flags = std::make_shared<ReplayFlags>();
   command->add_option("LOG", flags->log, ".oilog of explore --record")->required();
-  command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)");
+  command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)")->check(number);
   command->add_option("--out", flags->out, "folder for the results (out/LOG)");
   add_output_flags(*command, flags->output);
   command->callback([flags] { replay(*flags); });

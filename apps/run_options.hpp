@@ -28,6 +28,14 @@ void add_scenario_flags(CLI::App& command, ScenarioFlags& flags);
 /// The scenario file, if one was named, with the flags over it. Throws Error.
 Scenario make_scenario(const ScenarioFlags& flags);
 
+/// Throws Error if a scenario holds what no run can be made with.
+void check_scenario(const Scenario& scenario);
+/// Throws Error for a --speed below 0.
+void expect_speed(double speed);
+/// Checks for flags: what is wrong with `text` as a whole number of 64 bits, or as a number; empty if nothing is.
+std::string whole_number(const std::string& text);
+std::string number(const std::string& text);
+
 /// "x,y,theta" in metres and radians. Throws Error.
 Pose2 parse_pose(const std::string& text, const std::string& flag);
 

@@ -28,8 +28,10 @@ struct ScoreFlags {
 Scenario scenario_of(const ScoreFlags& flags) {
   Scenario scenario;
   const std::filesystem::path beside = std::filesystem::path(flags.map).parent_path() / "scenario.yaml";
-  if (std::filesystem::exists(beside)) scenario = read_scenario(beside);
-  else scenario.model = flags.model;
+  if (std::filesystem::exists(beside))
+    scenario = read_scenario(beside);
+  else
+    scenario.model = flags.model;
   scenario.world = flags.world;
   if (flags.start) scenario.start = parse_pose(*flags.start, "--start");
   return scenario;
@@ -40,14 +42,14 @@ void score(const ScoreFlags& flags) {
   const OccupancyGrid map = read_map(flags.map, &warnings);
   for (const std::string& warning : warnings) fmt::print(stderr, "scrubjay: {}\n", warning);
   const Stage stage = set_stage(scenario_of(flags));
-  LazyTruth truth(stage, map.geometry.resolution);
-  const MapScore result = score_map(map.view(), truth());
+  const MapScore result = score_map(map.view(), truth_of(stage, map.geometry.resolution));
   if (flags.json) {
-    const nlohmann::ordered_json json{{"start", {{"x", stage.start.x}, {"y", stage.start.y}, {"theta", stage.start.yaw}}},
-                                      {"coverage", result.coverage},
-                                      {"iou", result.iou},
-                                      {"wall_precision", result.wall_precision},
-                                      {"wall_recall", result.wall_recall}};
+    const nlohmann::ordered_json json{
+        {"start", {{"x", stage.start.x}, {"y", stage.start.y}, {"theta", stage.start.yaw}}},
+        {"coverage", result.coverage},
+        {"iou", result.iou},
+        {"wall_precision", result.wall_precision},
+        {"wall_recall", result.wall_recall}};
     return fmt::print("{}\n", json.dump(2));
   }
   fmt::print("map's origin at ({:.2f}, {:.2f}, {:.2f}) in the world\n", stage.start.x, stage.start.y, stage.start.yaw);
@@ -62,8 +64,9 @@ void add_score(CLI::App& app) {
   const auto flags = std::make_shared<ScoreFlags>();
   command->add_option("MAP", flags->map, "map YAML")->required();
   command->add_option("WORLD", flags->world, "the world that it is of")->required();
-  command->add_option("--start", flags->start, "x,y,theta of the map's origin in the world (the run's, the world's)");
-  command->add_option("--model", flags->model, "the robot, where no scenario.yaml is beside the map (roomba-600)");
+  command->add_option("--start", flags->start,
+                      "x,y,theta of the map's origin in the world\n(the run's or else the world's)");
+  command->add_option("--model", flags->model, "the robot, where no scenario.yaml is beside\nthe map (roomba-600)");
   command->add_flag("--json", flags->json, "print the results as JSON");
   command->callback([flags] { score(*flags); });
 }

@@ -56,9 +56,8 @@ Stage set_stage(const Scenario& scenario) {
   return stage;
 }
 
-const GroundTruth& LazyTruth::operator()() {
-  if (!truth_) truth_ = ground_truth(stage_.world, stage_.start, stage_.robot.model.radius, resolution_);
-  return *truth_;
+GroundTruth truth_of(const Stage& stage, double resolution) {
+  return ground_truth(stage.world, stage.start, stage.robot.model.radius, resolution);
 }
 
 RunTruth compare_with_truth(const Stage& stage, const GroundTruth& truth, GridView<const Occupancy> map,
@@ -71,8 +70,8 @@ RunTruth compare_with_truth(const Stage& stage, const GroundTruth& truth, GridVi
   return result;
 }
 
-RunResult run_simulated(const Scenario& scenario, const Stage& stage, const RunOptions& options,
-                        const std::stop_token& stop) {
+RunResult run_simulated(const Scenario& scenario, const Stage& stage, const GroundTruth& truth,
+                        const RunOptions& options, const std::stop_token& stop) {
   const auto wall_begin = std::chrono::steady_clock::now();
   const double cpu_begin = thread_cpu_time();
   const Random random(scenario.seed);
@@ -95,11 +94,9 @@ RunResult run_simulated(const Scenario& scenario, const Stage& stage, const RunO
   Mission mission(paced ? static_cast<Robot&>(*paced) : robot, localizer, mapper, *strategy, {scenario.max_time});
   Track track;
   TruthTrack truth_track(roomba, stage.start);
-  LazyTruth truth(stage, scenario.resolution);
-  const std::unique_ptr<Observer> onlooker = options.watch ? options.watch(truth) : nullptr;
   mission.watch(track);
   mission.watch(truth_track);
-  if (onlooker) mission.watch(*onlooker);
+  if (options.onlooker != nullptr) mission.watch(*options.onlooker);
 
   RunResult run;
   run.scenario = scenario;
@@ -111,7 +108,7 @@ RunResult run_simulated(const Scenario& scenario, const Stage& stage, const RunO
   run.trajectory = track.points();
   run.bumps = track.bumps();
   run.robot_radius = model.radius;
-  run.truth = compare_with_truth(stage, truth(), run.map.view(), run.trajectory);
+  run.truth = compare_with_truth(stage, truth, run.map.view(), run.trajectory);
   run.truth->trajectory = truth_track.points();
   run.truth->error = trajectory_error(run.trajectory, run.truth->trajectory);
   return run;

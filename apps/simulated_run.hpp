@@ -3,8 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <scrubjay/io/run_files.hpp>
 #include <scrubjay/mission/mission.hpp>
@@ -29,27 +27,19 @@ struct Stage {
 /// Reads all that the scenario names. Throws Error; also if the robot doesn't fit where it is to start.
 Stage set_stage(const Scenario& scenario);
 
-/// The truth about a stage, worked out when somebody asks for it first.
-class LazyTruth {
- public:
-  LazyTruth(const Stage& stage, double resolution) : stage_(stage), resolution_(resolution) {}
-  const GroundTruth& operator()();
-
- private:
-  const Stage& stage_;
-  double resolution_;
-  std::optional<GroundTruth> truth_;
-};
+/// What there is to find out about a stage, in cells of `resolution`. To be asked for before the run: it throws Error
+/// if the resolution is none for this world and this robot, which no run should be wasted on.
+GroundTruth truth_of(const Stage& stage, double resolution);
 
 struct RunOptions {
-  double speed = 0.0;                                ///< times real time; 0 is as fast as possible
-  std::optional<std::filesystem::path> record;       ///< where to record the bytes
-  std::function<std::unique_ptr<Observer>(LazyTruth&)> watch;  ///< somebody who looks on; may be empty
+  double speed = 0.0;                           ///< times real time; 0 is as fast as possible
+  std::optional<std::filesystem::path> record;  ///< where to record the bytes
+  Observer* onlooker = nullptr;                 ///< somebody who looks on; may be nobody
 };
 
 /// Runs the scenario on its stage, and scores it. The same scenario gives the same result, but for the times it took.
-RunResult run_simulated(const Scenario& scenario, const Stage& stage, const RunOptions& options,
-                        const std::stop_token& stop);
+RunResult run_simulated(const Scenario& scenario, const Stage& stage, const GroundTruth& truth,
+                        const RunOptions& options, const std::stop_token& stop);
 
 /// Scores a map against the world that it is of, and keeps what a picture needs of it.
 RunTruth compare_with_truth(const Stage& stage, const GroundTruth& truth, GridView<const Occupancy> map,

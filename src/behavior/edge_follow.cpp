@@ -5,7 +5,9 @@
 namespace scrubjay {
 namespace {
 
-double sign(Side side) { return static_cast<double>(static_cast<int>(side)); }
+double sign(Side side) {
+  return static_cast<double>(static_cast<int>(side));
+}
 
 // The side sensor's range beside a straight wall at `gap` from the shell.
 double side_range_at(double gap, const RobotModel& robot) {
@@ -55,17 +57,25 @@ void EdgeFollow::locate_edge(const Pose2& pose, const EdgeView& view) {
 
 void EdgeFollow::transition(const Situation& now, const EdgeView& view) {
   switch (state_) {
-    case State::Seek: return seek(now, view);
+    case State::Seek:
+      return seek(now, view);
     case State::Turn:
       if (std::fabs(angle_difference(target_heading_, now.estimate.pose.yaw)) < radians(2.0)) begin_seek(now);
       return;
-    case State::Retreat: return retreat(now);
-    case State::Align: return align(now, view);
-    case State::Follow: return follow(view);
-    case State::Orbit: return orbit(now, view);
-    case State::GlanceIn: return glance_in(view);
-    case State::GlanceOut: return glance_out(view);
-    case State::Done: return;
+    case State::Retreat:
+      return retreat(now);
+    case State::Align:
+      return align(now, view);
+    case State::Follow:
+      return follow(view);
+    case State::Orbit:
+      return orbit(now, view);
+    case State::GlanceIn:
+      return glance_in(view);
+    case State::GlanceOut:
+      return glance_out(view);
+    case State::Done:
+      return;
   }
 }
 
@@ -85,18 +95,26 @@ void EdgeFollow::begin_seek(const Situation& now) {
   enter(State::Seek);
 }
 
+/// Counts a drive over open floor; one too many in vain is the last.
+void EdgeFollow::end_drive() {
+  in_vain_ = unknown_crossed_ < params_.worthwhile ? in_vain_ + 1 : 0;
+  if (in_vain_ >= params_.patience) enter(State::Done);
+}
+
 /// Decides on an edge that the robot has come upon.
 void EdgeFollow::meet_edge(const Situation& now) {
-  known_ = beside_known_floor(now.map, now.estimate.pose, robot_.radius);
-  in_vain_ = unknown_crossed_ < params_.worthwhile ? in_vain_ + 1 : 0;
-  if (in_vain_ >= params_.patience) return enter(State::Done);
-  // Hemmed in, the way out is along the edge.
-  const bool free = last_way_ >= params_.least_drive;
-  if (known_ && free && turn_to_unknown(now, now.estimate.pose.yaw)) return;
+  end_drive();
+  if (state_ == State::Done) return;
+  const Pose2& pose = now.estimate.pose;
+  const double obstacle = pose.yaw + obstacle_bearing(now.frame, robot_);
+  known_ = beside_known_floor(now.map, {pose.position(), robot_.radius, obstacle}, pose.yaw);
+  // Hemmed in, the way out is along the edge; and with its front over a cliff, it must back off first.
+  const bool free = last_way_ >= params_.least_drive && now.frame.cliff_flags == 0;
+  if (known_ && free && turn_to_unknown(now, obstacle)) return;
   side_ = nearer_side(now.frame, params_.preferred_side);
   new_edge_ = true;
   orbited_ = 0.0;
-  edge_ = now.estimate.pose * Point2(robot_.radius, 0.0);
+  edge_ = pose.position() + robot_.radius * direction(obstacle);
   enter(State::Align);
 }
 
@@ -104,8 +122,11 @@ void EdgeFollow::meet_edge(const Situation& now) {
 void EdgeFollow::go_round(const Situation& now) {
   const double edge_bearing = now.estimate.pose.yaw + sign(side_) * kPi / 2.0;
   if (closure_.update(now.estimate)) {
-    if (!known_) ++loops_closed_;
-    return leave_edge(now, edge_bearing);
+    if (known_) return leave_edge(now, edge_bearing);
+    ++loops_closed_;
+    if (turn_to_unknown(now, edge_bearing)) return;
+    known_ = true;  // once more around it, on the look-out
+    return begin_edge(now);
   }
   const bool at_cliff = extra_gap_ >= params_.cliff_gap;  // no place to turn at once
   if (!known_ || at_cliff || closure_.length() - looked_at_ < params_.look_distance) return;
@@ -117,16 +138,20 @@ void EdgeFollow::begin_retreat(const Situation& now) {
   fenced_ = now.frame.virtual_wall;
   extra_gap_ = fenced_ ? 0.0 : params_.cliff_gap;
   retreat_from_ = now.estimate.pose.position();
+  retreat_stamp_ = now.frame.stamp;
   // At the end of a drive over open floor, a cliff is an edge that is met.
+  if (state_ == State::Seek && fenced_) end_drive();
   if (state_ == State::Seek && !fenced_) meet_edge(now);
-  if (state_ != State::Turn && state_ != State::Done) enter(State::Retreat);
+  if (state_ != State::Done) enter(State::Retreat);
 }
 
 void EdgeFollow::retreat(const Situation& now) {
   const bool forbidden = now.frame.cliff_flags != 0 || now.frame.virtual_wall;
   const double way = (now.estimate.pose.position() - retreat_from_).norm();
-  constexpr double kFarthest = 0.4;  // [m]
-  if (way < params_.retreat || (forbidden && way < kFarthest)) return;
+  const bool enough = way >= params_.retreat && !forbidden;
+  // By the clock, since something behind it may hold it.
+  const double patience = params_.farthest_retreat / params_.forward_speed;
+  if (!enough && now.frame.stamp - retreat_stamp_ < patience) return;
   if (fenced_) return leave_edge(now, now.estimate.pose.yaw);
   least_turn_ = params_.cliff_turn;
   enter(State::Align);
@@ -138,17 +163,17 @@ void EdgeFollow::align(const Situation& now, const EdgeView& view) {
     if (new_edge_) begin_edge(now);
     return enter(State::Follow);
   }
-  if (-turned_ > params_.full_turn) leave_edge(now, now.estimate.pose.yaw);  // shut in on all sides, as far as it can see
+  // Shut in on all sides, as far as it can see.
+  if (-turned_ > params_.full_turn) leave_edge(now, now.estimate.pose.yaw);
 }
 
 void EdgeFollow::follow(const EdgeView& view) {
   const bool at_cliff = extra_gap_ >= params_.cliff_gap;
   if (at_cliff && edge_seen(view)) extra_gap_ = 0.0;  // the cliff has ended at a wall
-  if (view.bump_side && !touched_) {
+  if (view.bump_side) {
     const double most = params_.lost_range - target_side_range_ - params_.dark_step;
     extra_gap_ = std::min(extra_gap_ + params_.dark_step, std::max(extra_gap_, most));
   }
-  touched_ = view.bump_side;
   if (view.bump_side || ahead(view)) return enter(State::Align);
   if (edge_seen(view)) {
     orbited_ = 0.0;
@@ -159,9 +184,10 @@ void EdgeFollow::follow(const EdgeView& view) {
 }
 
 void EdgeFollow::orbit(const Situation& now, const EdgeView& view) {
-  // Touched on the far side, it is too narrow to go between: aligning makes that the edge that is followed.
+  // What is ahead on the far side leaves too narrow a gap: aligning makes that the edge that is followed.
   if (ahead(view)) return enter(State::Align);
-  if (edge_seen(view) || turned_ >= params_.glance_spacing) return enter(State::GlanceIn);
+  if (edge_seen(view)) return enter(State::Follow);
+  if (turned_ >= params_.glance_spacing) return enter(State::GlanceIn);
   if (orbited_ > params_.full_turn) leave_edge(now, now.estimate.pose.yaw);
 }
 
@@ -180,19 +206,26 @@ void EdgeFollow::glance_out(const EdgeView& view) {
 Decision EdgeFollow::act(const Situation& now, const EdgeView& view) const {
   const double towards = sign(side_) * params_.turn_rate;
   switch (state_) {
-    case State::Seek: return {{params_.forward_speed, 0.0}, "seeking an edge"};
+    case State::Seek:
+      return {{params_.forward_speed, 0.0}, "seeking an edge"};
     case State::Turn: {
       const double error = angle_difference(target_heading_, now.estimate.pose.yaw);
       return {{0.0, std::clamp(3.0 * error, -params_.turn_rate, params_.turn_rate)}, "turning to open floor"};
     }
-    case State::Retreat: return {{-params_.forward_speed, 0.0}, "backing off"};
-    case State::Align: return {{0.0, -towards}, "turning along the edge"};
-    case State::Follow: return {{params_.forward_speed, sign(side_) * follow_turn(view)}, "following the edge"};
+    case State::Retreat:
+      return {{-params_.forward_speed, 0.0}, "backing off"};
+    case State::Align:
+      return {{0.0, -towards}, "turning along the edge"};
+    case State::Follow:
+      return {{params_.forward_speed, sign(side_) * follow_turn(view)}, "following the edge"};
     case State::Orbit:
       return {{params_.forward_speed, sign(side_) * orbit_turn(now.estimate.pose)}, "rounding a corner"};
-    case State::GlanceIn: return {{0.0, towards}, "looking for the edge"};
-    case State::GlanceOut: return {{0.0, -towards}, "looking for the edge"};
-    case State::Done: return {{}, "done", true};
+    case State::GlanceIn:
+      return {{0.0, towards}, "looking for the edge"};
+    case State::GlanceOut:
+      return {{0.0, -towards}, "looking for the edge"};
+    case State::Done:
+      return {{}, "done", true};
   }
   return {};
 }
@@ -204,8 +237,8 @@ double EdgeFollow::follow_turn(const EdgeView& view) const {
   return std::clamp(params_.gain * (view.side - target), -params_.turn_rate, params_.turn_rate);
 }
 
+/// Straight on until the edge's last point is abeam, then around it at the distance that it has.
 double EdgeFollow::orbit_turn(const Pose2& pose) const {
-  // Straight on until the edge's last point is abeam, then around it at the distance that it has.
   const Point2 point = edge_in_robot(pose);
   if (point.x() > 0.0) return 0.0;
   const double distance = std::max(point.norm(), robot_.radius);
@@ -228,14 +261,9 @@ void EdgeFollow::begin_edge(const Situation& now) {
   closure_.begin(now.estimate);
 }
 
-/// Goes where unknown floor is in sight, or else on along the edge, or elsewhere once that was in vain, too.
+/// Goes where unknown floor is in sight, or else as far away as it can.
 void EdgeFollow::leave_edge(const Situation& now, double obstacle) {
   if (turn_to_unknown(now, obstacle)) return;
-  if (!known_ && following()) {
-    known_ = true;
-    return begin_edge(now);
-  }
-  if (++in_vain_ >= params_.patience) return enter(State::Done);
   const Standpoint here{now.estimate.pose.position(), robot_.radius, obstacle};
   turn_to(longest_heading(now.map, here, random_));
 }

@@ -38,6 +38,15 @@ EdgeView edge_view(const Frame& frame, Side side, const RobotModel& robot, doubl
   return view;
 }
 
+double obstacle_bearing(const Frame& frame, const RobotModel& robot) {
+  const auto nearest = std::max_element(frame.light_signal.begin(), frame.light_signal.end());
+  if (robot.has_light_sensors && robot.light.range(*nearest) < robot.light.max_range) {
+    return robot.light.mount[static_cast<std::size_t>(nearest - frame.light_signal.begin())].yaw;
+  }
+  if (frame.bump_left == frame.bump_right) return 0.0;
+  return frame.bump_left ? radians(45.0) : radians(-45.0);
+}
+
 Side nearer_side(const Frame& frame, Side preferred) {
   if (frame.bump_left != frame.bump_right) return frame.bump_left ? Side::Left : Side::Right;
   const auto& signal = frame.light_signal;

@@ -27,6 +27,9 @@ Drive look_along(GridView<const LogOdds> map, const Standpoint& from, double hea
     if (!map.contains(cell)) return drive;
     // The disc's front and both of its sides; at first the sides may still touch what the robot stands at.
     if (occupied(map, middle + from.radius * forward)) return drive;
+    constexpr double kDiagonal = 0.70710678118654752;
+    const Point2 front = middle + kDiagonal * from.radius * forward;
+    if (occupied(map, front + kDiagonal * aside) || occupied(map, front - kDiagonal * aside)) return drive;
     if (way > from.radius && (occupied(map, middle + aside) || occupied(map, middle - aside))) return drive;
     drive.length = way;
     if (trinary(map[cell]) == kUnknown) drive.unknown += step;
@@ -65,18 +68,20 @@ std::optional<double> heading_to_unknown(GridView<const LogOdds> map, const Stan
 
 double longest_heading(GridView<const LogOdds> map, const Standpoint& from, Random& random,
                        const OutlookParams& params) {
-  return best_heading(from, random, params, [&](double heading) {
-           return look_along(map, from, heading, params.sight).length;
-         }).heading;
+  return best_heading(from, random, params,
+                      [&](double heading) { return look_along(map, from, heading, params.sight).length; })
+      .heading;
 }
 
-bool beside_known_floor(GridView<const LogOdds> map, const Pose2& pose, double radius) {
-  // An edge that was followed has a lane of known floor along it, a robot wide; the drive up to it swept less. In a
-  // corner one side lies behind a wall, so one side is enough.
+bool beside_known_floor(GridView<const LogOdds> map, const Standpoint& at, double heading) {
+  // An edge that was followed has a lane of known floor along it, a robot wide. Behind lies what the drive up to the
+  // edge has swept. In a corner one side lies within a wall, so one side is enough.
+  constexpr double kBehind = radians(120.0);
   int known = 0;
-  for (const double aside : {1.35, 1.6}) {
-    for (const double side : {-1.0, 1.0}) {
-      const CellIndex cell = map.geometry.cell_at(pose * Point2(0.25 * radius, side * aside * radius));
+  for (const double along : {at.obstacle + kPi / 2.0, at.obstacle - kPi / 2.0}) {
+    if (std::fabs(angle_difference(along, heading)) > kBehind) continue;
+    for (const double distance : {1.35, 1.6}) {
+      const CellIndex cell = map.geometry.cell_at(at.position + distance * at.radius * direction(along));
       known += map.contains(cell) && trinary(map[cell]) != kUnknown;
     }
   }

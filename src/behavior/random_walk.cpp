@@ -18,9 +18,12 @@ bool OptionRun::running(const Frame& frame) const {
 
 Decision OptionRun::decision() const {
   switch (option_) {
-    case WalkOption::Forward: return {{params_.forward_speed, 0.0}, "forward"};
-    case WalkOption::TurnLeft: return {{0.0, params_.turn_rate}, "turning left"};
-    case WalkOption::TurnRight: return {{0.0, -params_.turn_rate}, "turning right"};
+    case WalkOption::Forward:
+      return {{params_.forward_speed, 0.0}, "forward"};
+    case WalkOption::TurnLeft:
+      return {{0.0, params_.turn_rate}, "turning left"};
+    case WalkOption::TurnRight:
+      return {{0.0, -params_.turn_rate}, "turning right"};
   }
   return {};
 }
@@ -39,7 +42,9 @@ WalkOption Random2::choose(const Obstacles&, Random& random) {
   return random.below(2) == 0 ? WalkOption::Forward : WalkOption::TurnLeft;
 }
 
-WalkOption Random3::choose(const Obstacles&, Random& random) { return static_cast<WalkOption>(random.below(3)); }
+WalkOption Random3::choose(const Obstacles&, Random& random) {
+  return static_cast<WalkOption>(random.below(3));
+}
 
 WalkOption RandomLook::choose(const Obstacles& obstacles, Random& random) {
   if (obstacles.ahead) return WalkOption::TurnLeft;

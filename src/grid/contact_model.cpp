@@ -50,8 +50,10 @@ bool ContactModel::bump_began(const Frame& frame) const {
   return (frame.bump_left && !was_bumped_left_) || (frame.bump_right && !was_bumped_right_);
 }
 
+bool ContactModel::cliff_began(const Frame& frame) const { return (frame.cliff_flags & ~last_cliff_flags_) != 0; }
+
 bool ContactModel::wants(const Frame& frame, const Pose2& pose) const {
-  return moved(pose) || turned(pose) || bump_began(frame);
+  return moved(pose) || turned(pose) || bump_began(frame) || cliff_began(frame);
 }
 
 void ContactModel::integrate(const Frame& frame, const Pose2& pose, GridView<LogOdds> grid) {
@@ -59,13 +61,14 @@ void ContactModel::integrate(const Frame& frame, const Pose2& pose, GridView<Log
     mark_swept(pose, grid);
     last_swept_ = pose;
   }
-  if (frame.cliff_flags != 0) mark_cliffs(frame, pose, grid);
   const bool sense = turned(pose);
   if (sense && robot_.has_light_sensors) mark_light(frame, pose, grid);
+  if (frame.cliff_flags != 0 && (cliff_began(frame) || sense)) mark_cliffs(frame, pose, grid);
   if (frame.bumped() && (bump_began(frame) || sense)) mark_bump(frame, pose, grid);
   if (sense) last_sensed_ = pose;
   was_bumped_left_ = frame.bump_left;
   was_bumped_right_ = frame.bump_right;
+  last_cliff_flags_ = frame.cliff_flags;
 }
 
 void ContactModel::mark_swept(const Pose2& pose, GridView<LogOdds> grid) const {

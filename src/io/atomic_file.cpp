@@ -8,6 +8,8 @@
 #include <cstring>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/atomic_file.hpp>
+#include <set>
+#include <utility>
 
 namespace scrubjay {
 namespace {
@@ -18,8 +20,22 @@ namespace fs = std::filesystem;
   throw Error(fmt::format("{}: {}: {}", path.string(), what, std::strerror(error)), Error::Kind::Failure);
 }
 
+/// Makes the renames in a folder survive a power cut.
+void sync_folder(const fs::path& target) {
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;  // A folder that may be written but not read: the file is in place, and more can't be done.
+  const int synced = ::fsync(file);
+  const int error = errno;
+  ::close(file);
+  // Some network file systems can't sync folders, and say so with EINVAL.
+  if (synced != 0 && error != EINVAL && error != ENOTSUP) fail(target, "cannot sync its folder", error);
+}
+
+}  // namespace
+
 /// A file under a temporary name; removed unless it was renamed.
-class TemporaryFile {
+class AtomicFiles::TemporaryFile {
  public:
   TemporaryFile(const fs::path& target, mode_t permissions) : target_(target), path_(fresh_name(target)) {
     // The permissions given here are those of any new file: narrowed by the user's umask.
@@ -46,14 +62,20 @@ class TemporaryFile {
     if (::fchmod(file_, permissions) != 0) fail(target_, "cannot keep its permissions", errno);
   }
 
-  void rename_to_target() {
+  /// Only now is it sure that there was room for all of it.
+  void finish() {
     if (::fsync(file_) != 0) fail(target_, "cannot write", errno);
     const int closed = ::close(file_);
     file_ = -1;
     if (closed != 0) fail(target_, "cannot write", errno);
+  }
+
+  void rename_to_target() {
     if (::rename(path_.c_str(), target_.c_str()) != 0) fail(target_, "cannot replace", errno);
     path_.clear();
   }
+
+  const fs::path& target() const { return target_; }
 
  private:
   static fs::path fresh_name(const fs::path& target) {
@@ -66,21 +88,10 @@ class TemporaryFile {
   int file_ = -1;
 };
 
-/// Makes the rename itself survive a power cut.
-void sync_folder(const fs::path& target) {
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file < 0) return;  // A folder that may be written but not read: the file is in place, and more can't be done.
-  const int synced = ::fsync(file);
-  const int error = errno;
-  ::close(file);
-  // Some network file systems can't sync folders, and say so with EINVAL.
-  if (synced != 0 && error != EINVAL && error != ENOTSUP) fail(target, "cannot sync its folder", error);
-}
+AtomicFiles::AtomicFiles() = default;
+AtomicFiles::~AtomicFiles() = default;
 
-}  // namespace
-
-void write_file_atomically(const fs::path& path, std::span<const std::byte> content) {
+void AtomicFiles::add(const fs::path& path, std::span<const std::byte> content) {
   std::error_code ignored;
   const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
   struct stat old {};
@@ -89,11 +100,30 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> cont
     throw Error(fmt::format("{}: not a regular file", path.string()), Error::Kind::Failure);
   }
 
-  TemporaryFile file(target, 0666);
-  if (replaces) file.set_permissions(old.st_mode & 07777);
-  file.write(content);
-  file.rename_to_target();
-  sync_folder(target);
+  auto file = std::make_unique<TemporaryFile>(target, 0666);
+  if (replaces) file->set_permissions(old.st_mode & 07777);
+  file->write(content);
+  file->finish();
+  files_.push_back(std::move(file));
+}
+
+void AtomicFiles::add(const fs::path& path, std::string_view content) {
+  add(path, std::as_bytes(std::span(content)));
+}
+
+void AtomicFiles::commit() {
+  const auto files = std::exchange(files_, {});
+  for (const auto& file : files) file->rename_to_target();
+  std::set<fs::path> synced;
+  for (const auto& file : files) {
+    if (synced.insert(file->target().parent_path()).second) sync_folder(file->target());
+  }
+}
+
+void write_file_atomically(const fs::path& path, std::span<const std::byte> content) {
+  AtomicFiles file;
+  file.add(path, content);
+  file.commit();
 }
 
 void write_file_atomically(const fs::path& path, std::string_view content) {

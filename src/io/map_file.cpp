@@ -173,7 +173,7 @@ OccupancyGrid read_map(const fs::path& path, std::vector<std::string>* warnings)
   return {{resolution, origin, image.width, image.height}, cells_from_image(image, pixels)};
 }
 
-void write_map(const fs::path& stem, GridView<const Occupancy> map, MapMode mode) {
+void add_map(AtomicFiles& files, const fs::path& stem, GridView<const Occupancy> map, MapMode mode) {
   const auto with = [&](const char* extension) { return fs::path(stem.string() + extension); };
   const fs::path image_path = with(mode == MapMode::Scale ? ".png" : ".pgm");
   if (map.geometry.width <= 0 || map.geometry.height <= 0) {
@@ -181,8 +181,14 @@ void write_map(const fs::path& stem, GridView<const Occupancy> map, MapMode mode
   }
   const Image image = image_from_cells(map, mode);
   const std::vector<std::uint8_t> bytes = mode == MapMode::Scale ? encode_png(image) : encode_pgm(image);
-  write_file_atomically(image_path, std::as_bytes(std::span(bytes)));
-  write_file_atomically(with(".yaml"), yaml_text(image_path.filename().string(), map.geometry, mode));
+  files.add(image_path, std::as_bytes(std::span(bytes)));
+  files.add(with(".yaml"), yaml_text(image_path.filename().string(), map.geometry, mode));
+}
+
+void write_map(const fs::path& stem, GridView<const Occupancy> map, MapMode mode) {
+  AtomicFiles files;
+  add_map(files, stem, map, mode);
+  files.commit();
 }
 
 }  // namespace scrubjay

@@ -22,11 +22,26 @@ Error write_error(const std::string& name, int error) {
   return Error(fmt::format("{}: cannot write the recording: {}", name, std::strerror(error)), Error::Kind::Failure);
 }
 
+/// Renames a file that is there, and gives its new name; none if there is no such file to keep.
+std::optional<std::filesystem::path> move_aside(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error))) return std::nullopt;
+  std::filesystem::path aside = path;
+  aside += "~";
+  if (::rename(path.c_str(), aside.c_str()) != 0) throw write_error(path.string(), errno);
+  return aside;
+}
+
 }  // namespace
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& path, const std::string& scenario)
-    : name_(path.string()), file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666)) {
-  if (file_ < 0) throw write_error(name_, errno);
+    : name_(path.string()), older_(move_aside(path)) {
+  file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+  if (file_ < 0) {
+    const int error = errno;
+    give_up();
+    throw write_error(name_, error);
+  }
   buffer_.reserve(kBufferSize + 1024);
   buffer_.assign(recording::kFileHead.begin(), recording::kFileHead.end());
   checksum_ = recording::checksum(0, buffer_);
@@ -34,14 +49,24 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const std::s
   hand_over();
   if (failed_) {
     ::close(file_);
+    if (std::filesystem::is_regular_file(path)) ::unlink(path.c_str());  // a part of the head is no recording
+    give_up();
     throw write_error(name_, failure_);
   }
 }
 
+/// Puts the older file back.
+void RecordingWriter::give_up() {
+  if (older_) ::rename(older_->c_str(), name_.c_str());
+  older_.reset();
+}
+
 RecordingWriter::~RecordingWriter() {
-  if (file_ < 0) return;
-  hand_over();
-  ::close(file_);
+  try {
+    close();
+  } catch (const Error&) {
+    // Whoever wants to know calls close().
+  }
 }
 
 void RecordingWriter::record(Direction direction, double stamp, std::span<const std::uint8_t> bytes) {
@@ -111,7 +136,13 @@ void RecordingWriter::close() {
     const bool synced = failed_ || ::fsync(file_) == 0 || errno == EINVAL;
     const int sync_error = errno;
     const bool closed = ::close(std::exchange(file_, -1)) == 0;
-    if (!failed_ && !(synced && closed)) failure_ = synced ? errno : sync_error;
+    if (!failed_ && !(synced && closed)) {
+      failed_ = true;
+      failure_ = synced ? errno : sync_error;
+    }
+    if (failed_) give_up();
+    if (older_) ::unlink(older_->c_str());
+    older_.reset();
   }
   throw_failure();
 }

@@ -18,7 +18,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Micrometres and microseconds are enough for people, and keep the files readable.
-double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+double rounded(double value) {
+  return std::round(value * 1e6) / 1e6;
+}
 
 Json pose_json(const Pose2& pose) {
   return {{"x", rounded(pose.x)}, {"y", rounded(pose.y)}, {"theta", rounded(pose.yaw)}};
@@ -84,16 +86,18 @@ std::string metrics_json(const RunResult& run) {
 
 void write_run(const std::filesystem::path& folder, const RunResult& run) {
   prepare_run_folder(folder);
-  write_map(folder / "map", run.map.view());
+  AtomicFiles files;
+  add_map(files, folder / "map", run.map.view());
   const std::vector<std::uint8_t> png = encode_png(picture_of(run));
-  write_file_atomically(folder / "map.png", std::as_bytes(std::span(png)));
-  write_trajectory(folder / "trajectory.tum", run.trajectory);
+  files.add(folder / "map.png", std::as_bytes(std::span(png)));
+  files.add(folder / "trajectory.tum", trajectory_text(run.trajectory));
   if (run.truth && !run.truth->trajectory.empty()) {
-    write_trajectory(folder / "ground_truth.tum", run.truth->trajectory);
+    files.add(folder / "ground_truth.tum", trajectory_text(run.truth->trajectory));
   }
-  write_file_atomically(folder / "scenario.yaml", scenario_text(run.scenario));
-  write_file_atomically(folder / "timing.json", timing_json(run));
-  write_file_atomically(folder / "metrics.json", metrics_json(run));
+  files.add(folder / "scenario.yaml", scenario_text(run.scenario));
+  files.add(folder / "timing.json", timing_json(run));
+  files.add(folder / "metrics.json", metrics_json(run));
+  files.commit();
 }
 
 void prepare_run_folder(const std::filesystem::path& folder) {
@@ -103,7 +107,8 @@ void prepare_run_folder(const std::filesystem::path& folder) {
     throw Error(fmt::format("{}: can't make this folder: {}", folder.string(), error.message()), Error::Kind::Failure);
   }
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw Error(fmt::format("{}: can't write to this folder; want one of yours", folder.string()), Error::Kind::Failure);
+    throw Error(fmt::format("{}: can't write to this folder; want one of yours", folder.string()),
+                Error::Kind::Failure);
   }
 }
 

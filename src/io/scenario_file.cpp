@@ -3,6 +3,7 @@
 #include <charconv>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/scenario_file.hpp>
+#include <scrubjay/io/world_reader.hpp>
 
 #include "file_content.hpp"
 #include "yaml_field.hpp"
@@ -13,6 +14,10 @@ namespace {
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
+    if (c == '\n') {
+      out += "\\n";
+      continue;
+    }
     if (c == '"' || c == '\\') out += '\\';
     out += c;
   }
@@ -48,7 +53,7 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   if (root.has("noise")) scenario.noise = root.at("noise").text();
   if (root.has("seed")) scenario.seed = read_seed(root.at("seed"));
   if (root.has("start")) {
-    const std::vector<double> pose = root.at("start").numbers(3, {}, "[x, y, theta] in metres and radians");
+    const std::vector<double> pose = root.at("start").numbers(3, {-kWorldExtent, kWorldExtent}, "[x, y, theta] in metres and radians");
     scenario.start = Pose2{pose[0], pose[1], wrap_angle(pose[2])};
   }
   if (root.has("resolution")) {

@@ -52,8 +52,8 @@ class YamlField {
   [[noreturn]] void fail(std::string_view want) const;
 
  private:
-  YamlField(YAML::Node node, std::string path, const std::string& file)
-      : node_(std::move(node)), path_(std::move(path)), file_(file) {}
+  YamlField(const YAML::Node& node, std::string path, const std::string& file)
+      : node_(node), path_(std::move(path)), file_(file) {}
   [[noreturn]] void fail_at(const YAML::Mark& mark, const std::string& what) const;
   std::string name() const { return path_.empty() ? "the document" : path_; }
   std::string value() const;

@@ -37,6 +37,7 @@ constexpr std::array<Row, 6> kStrategies{{
 
 std::vector<std::string_view> strategy_names() {
   std::vector<std::string_view> names;
+  names.reserve(kStrategies.size());
   for (const Row& row : kStrategies) names.push_back(row.name);
   return names;
 }

@@ -220,9 +220,14 @@ void OiRobot::keep_mode(const Frame& frame) {
 }
 
 void OiRobot::drive(const Motion& motion) {
-  const double half = 0.5 * model_.drive.wheel_separation * motion.angular;
-  const int left = to_millimetres(motion.linear - half, model_.max_wheel_speed);
-  const int right = to_millimetres(motion.linear + half, model_.max_wheel_speed);
+  // What isn't a number moves no wheel; what is too fast for one wheel slows both, so that the curve stays.
+  const bool sound = std::isfinite(motion.linear) && std::isfinite(motion.angular);
+  const double linear = sound ? motion.linear : 0.0;
+  const double half = sound ? 0.5 * model_.drive.wheel_separation * motion.angular : 0.0;
+  const double fastest = std::fabs(linear) + std::fabs(half);
+  const double share = fastest > model_.max_wheel_speed ? model_.max_wheel_speed / fastest : 1.0;
+  const int left = to_millimetres(share * (linear - half), model_.max_wheel_speed);
+  const int right = to_millimetres(share * (linear + half), model_.max_wheel_speed);
   if (left == left_speed_ && right == right_speed_) return;
   left_speed_ = left;
   right_speed_ = right;

@@ -13,6 +13,20 @@ namespace {
   throw Error(text + where + want);
 }
 
+/// Whether a place is beyond the box around everything solid. An empty world has no outside.
+bool is_outside(const std::vector<SolidSegment>& solids, const Point2& place) {
+  if (solids.empty()) return false;
+  Point2 low = solids.front().segment.a;
+  Point2 high = low;
+  for (const SolidSegment& solid : solids) {
+    for (const Point2& end : {solid.segment.a, solid.segment.b}) {
+      low = low.cwiseMin(end);
+      high = high.cwiseMax(end);
+    }
+  }
+  return (place.array() < low.array()).any() || (place.array() > high.array()).any();
+}
+
 }  // namespace
 
 void expect_room(const World& world, const SegmentIndex& index, const Pose2& start, double radius) {
@@ -25,6 +39,7 @@ void expect_room(const World& world, const SegmentIndex& index, const Pose2& sta
   for (const Polygon& cliff : world.cliffs) {
     if (contains(cliff, place)) refuse(start, "lies over a cliff", radius);
   }
+  if (is_outside(solid_segments(world), place)) refuse(start, "lies outside of all walls", radius);
   constexpr double kSlack = 1e-3;
   const double distance = index.distance(place, radius);
   if (distance >= radius - kSlack) return;

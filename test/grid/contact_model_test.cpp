@@ -176,6 +176,33 @@ TEST(ContactModelTest, ABumpMarksOnlyTheHalfThatWasHit) {
   }
 }
 
+TEST(ContactModelTest, AThingSeenOnTheOtherSideDoesntExplainABump) {
+  Floor floor({}, 0.025);
+  floor.integrate({}, {});
+  Frame frame = bump(false, true);
+  frame.light_signal[0] = signal_at(0.025);  // on the left; it counted where the robot stood before
+  floor.integrate(frame, {});
+  int marked = 0;
+  floor.each([&](const Point2& center, LogOdds cell) {
+    if (cell <= 0) return;
+    ++marked;
+    EXPECT_LT(center.y(), 0.0);
+  });
+  EXPECT_GT(marked, 3);
+}
+
+TEST(ContactModelTest, ACliffIsAnObstacleUnderItsSensor) {
+  for (std::size_t sensor = 0; sensor < 4; ++sensor) {
+    Floor floor;
+    const Pose2 pose{0.1, 0.2, 1.0};
+    Frame frame;
+    frame.cliff_flags = static_cast<std::uint8_t>(1u << sensor);
+    floor.integrate(frame, pose);
+    EXPECT_EQ(trinary(floor.at(pose * floor.robot.cliff_sensors[sensor])), kOccupied);
+    EXPECT_EQ(floor.count(kOccupied), 1);
+  }
+}
+
 TEST(ContactModelTest, ARobotWithoutLightSensorsMarksTheWholeArcMoreFaintly) {
   Floor blind(blind_robot(), 0.025);
   Floor seeing({}, 0.025);

@@ -36,7 +36,7 @@ std::size_t count(const Image& image, const Pixel& wanted) {
   return found;
 }
 
-constexpr Pixel kPaper{253, 250, 242, 255}, kInk{38, 46, 59, 255}, kGround{222, 222, 219, 255};
+constexpr Pixel kPaper{253, 250, 242, 255}, kInk{38, 46, 59, 255};
 constexpr std::size_t kCell = 24 * 24;  // pixels of a cell in a small map
 
 /// A page without scale bar and legend, which have ink of their own: all above the footer.

@@ -35,7 +35,7 @@ TEST(ScenarioFileTest, ReadsWhatItWrites) {
 
 TEST(ScenarioFileTest, PathsMayHoldAnything) {
   for (const char* path : {"my house.yaml", "it's.yaml", "a \"b\".yaml", "back\\slash", "a: b # c", "{}", "- x", "true",
-                           "\xC3\xA9t\xC3\xA9.json", "12", "tab\there", " both ends "}) {
+                           "\xC3\xA9t\xC3\xA9.json", "12", "tab\there", "two\nlines", " both ends "}) {
     Scenario scenario;
     scenario.world = scenario.model = path;
     EXPECT_EQ(parse_scenario(scenario_text(scenario), "run.yaml"), scenario) << path;

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <scrubjay/robot/oi_robot.hpp>
 
 #include "scripted_channel.hpp"
@@ -64,6 +65,21 @@ TEST_F(OiRobotDriveTest, LimitsTheWheelsToWhatTheyCan) {
   robot.drive({3.0, 0.0});
   robot.drive({-3.0, 0.0});
   EXPECT_THAT(channel.written, ElementsAre(drive_direct(500, 500), drive_direct(-500, -500)));
+}
+
+TEST_F(OiRobotDriveTest, KeepsTheCurveWhereOneWheelWouldHaveToBeTooFast) {
+  robot.drive({0.5, 1.0});
+  const double share = 0.5 / (0.5 + 0.1175);
+  EXPECT_THAT(channel.written, ElementsAre(drive_direct(500, static_cast<int>(share * 382.5 + 0.5))));
+}
+
+TEST_F(OiRobotDriveTest, StandsWhereTheMotionIsNoNumber) {
+  robot.drive({0.2, 0.0});
+  robot.drive({std::numeric_limits<double>::quiet_NaN(), 0.0});
+  robot.drive({0.2, 0.0});
+  robot.drive({0.2, std::numeric_limits<double>::infinity()});
+  EXPECT_THAT(channel.written,
+              ElementsAre(drive_direct(200, 200), drive_direct(0, 0), drive_direct(200, 200), drive_direct(0, 0)));
 }
 
 TEST_F(OiRobotDriveTest, StopStandsAndLeavesARobotThatMayCharge) {

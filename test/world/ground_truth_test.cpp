@@ -147,7 +147,9 @@ TEST(GroundTruthTest, TheDiscMayNotOverhangACliff) {
   EXPECT_TRUE(cell_at(truth, {0.95, 0.0}).reachable);
   EXPECT_FALSE(cell_at(truth, {1.05, 0.0}).reachable);
   EXPECT_FALSE(cell_at(truth, {2.0, 0.0}).reachable) << "well inside";
-  EXPECT_FALSE(cell_at(truth, {1.0, 0.0}).wall) << "an edge is no wall";
+  EXPECT_TRUE(cell_at(truth, {1.0, 0.0}).wall) << "its edge belongs into a map, as a wall does";
+  EXPECT_FALSE(cell_at(truth, {1.0, 0.0}).facing) << "... but can't be touched";
+  EXPECT_FALSE(cell_at(truth, {1.5, 0.0}).wall) << "only its edge";
 }
 
 TEST(GroundTruthTest, AWorldWithoutWallsEndsAroundTheStart) {

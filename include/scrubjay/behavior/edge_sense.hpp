@@ -11,7 +11,9 @@ namespace scrubjay {
 
 enum class Side : std::int8_t { Left = 1, Right = -1 };
 
-inline Side opposite(Side side) { return side == Side::Left ? Side::Right : Side::Left; }
+inline Side opposite(Side side) {
+  return side == Side::Left ? Side::Right : Side::Left;
+}
 
 /// Ranges of the three light sensors of each half, the followed side first [m]; large where nothing is seen.
 struct EdgeView {
@@ -29,6 +31,9 @@ struct EdgeView {
 
 /// `point_range` is how near a light return must be to count as a point of the edge [m]. Cliffs count as touched.
 EdgeView edge_view(const Frame& frame, Side side, const RobotModel& robot, double point_range);
+
+/// Where whatever is in front of the robot lies, from straight ahead, as well as the bumper or the light tell [rad].
+double obstacle_bearing(const Frame& frame, const RobotModel& robot);
 
 /// The side on which whatever is in front of the robot can be followed; `preferred` where both would do.
 Side nearer_side(const Frame& frame, Side preferred);

@@ -10,10 +10,10 @@
 namespace scrubjay {
 
 struct OutlookParams {
-  int headings = 32;                 ///< tried around the robot
-  double sight = 8.0;                ///< how far ahead the map is read [m]
-  double worthwhile = 0.15;          ///< unknown floor on the way that makes a drive worth while [m]
-  double berth = radians(60.0);      ///< headings this near to the obstacle at hand aren't tried [rad]
+  int headings = 32;             ///< tried around the robot
+  double sight = 8.0;            ///< how far ahead the map is read [m]
+  double worthwhile = 0.15;      ///< unknown floor on the way that makes a drive worth while [m]
+  double berth = radians(75.0);  ///< headings this near to the obstacle at hand aren't tried [rad]
 };
 
 /// Where a disc of `radius` [m] stands, and in which direction the obstacle that it stands at lies [rad].
@@ -32,7 +32,8 @@ std::optional<double> heading_to_unknown(GridView<const LogOdds> map, const Stan
 double longest_heading(GridView<const LogOdds> map, const Standpoint& from, Random& random,
                        const OutlookParams& params = {});
 
-/// True if the floor beside a robot that has driven up to something is known: then it went along there before.
-bool beside_known_floor(GridView<const LogOdds> map, const Pose2& pose, double radius);
+/// True if the floor along the obstacle that a robot has driven up to with this heading [rad] is known: then it went
+/// along there before.
+bool beside_known_floor(GridView<const LogOdds> map, const Standpoint& at, double heading);
 
 }  // namespace scrubjay

@@ -46,6 +46,7 @@ class ContactModel {
   bool moved(const Pose2& pose) const;
   bool turned(const Pose2& pose) const;
   bool bump_began(const Frame& frame) const;
+  bool cliff_began(const Frame& frame) const;
   void mark_swept(const Pose2& pose, GridView<LogOdds> grid) const;
   void mark_light(const Frame& frame, const Pose2& pose, GridView<LogOdds> grid) const;
   void mark_cliffs(const Frame& frame, const Pose2& pose, GridView<LogOdds> grid) const;
@@ -58,6 +59,7 @@ class ContactModel {
   std::optional<Pose2> last_sensed_;
   bool was_bumped_left_ = false;
   bool was_bumped_right_ = false;
+  std::uint8_t last_cliff_flags_ = 0;
 };
 
 }  // namespace scrubjay

@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace scrubjay {
 
@@ -17,5 +19,25 @@ namespace scrubjay {
 /// a regular file); `path` is then as it was, and the temporary file is gone.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> content);
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+/// Files that belong together, each written as above, and none of them put in place before all are on the disc: a disc
+/// that fills up leaves every older one as it was.
+class AtomicFiles {
+ public:
+  AtomicFiles();
+  AtomicFiles(const AtomicFiles&) = delete;
+  AtomicFiles& operator=(const AtomicFiles&) = delete;
+  ~AtomicFiles();  ///< drops what was added since the last commit()
+
+  /// Writes `content` under a temporary name. Throws Error (Kind::Failure).
+  void add(const std::filesystem::path& path, std::span<const std::byte> content);
+  void add(const std::filesystem::path& path, std::string_view content);
+  /// Puts all of them in place, one by one and in order. Throws Error (Kind::Failure).
+  void commit();
+
+ private:
+  class TemporaryFile;
+  std::vector<std::unique_ptr<TemporaryFile>> files_;
+};
 
 }  // namespace scrubjay

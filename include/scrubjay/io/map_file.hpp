@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <scrubjay/io/atomic_file.hpp>
 #include <scrubjay/mapping/occupancy_grid.hpp>
 #include <string>
 #include <vector>
@@ -28,10 +29,13 @@ enum class MapMode : std::uint8_t {
 /// line is added to `warnings`.
 OccupancyGrid read_map(const std::filesystem::path& path, std::vector<std::string>* warnings = nullptr);
 
-/// Writes `stem`.yaml and its image, `stem`.pgm, or `stem`.png for Scale, each whole or not at all.
+/// Writes `stem`.yaml and its image, `stem`.pgm, or `stem`.png for Scale, both whole or not at all.
 ///
 /// Trinary writes 0 for cells of 65 and more, 254 for cells of 0 to 19, 205 for the rest. Scale and Raw keep every
 /// value. Numbers have as many decimals as it takes to read back the same, three or more. Throws Error (Kind::Failure).
 void write_map(const std::filesystem::path& stem, GridView<const Occupancy> map, MapMode mode = MapMode::Trinary);
+/// The same as two of several files that belong together.
+void add_map(AtomicFiles& files, const std::filesystem::path& stem, GridView<const Occupancy> map,
+             MapMode mode = MapMode::Trinary);
 
 }  // namespace scrubjay

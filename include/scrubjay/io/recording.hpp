@@ -44,7 +44,9 @@ class ChunkHistory {
 class RecordingWriter {
  public:
   /// Begins the file anew. `scenario` is UTF-8 YAML: all that is needed to repeat the run.
-  /// Throws Error (Kind::Failure) if the file can't be made.
+  ///
+  /// An older file of that name is kept beside it with a `~` at its end until the new one is complete, and put back if
+  /// that can't be written. Throws Error (Kind::Failure) if the file can't be made.
   RecordingWriter(const std::filesystem::path& path, const std::string& scenario);
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
@@ -54,15 +56,17 @@ class RecordingWriter {
   void record(Direction direction, double stamp, std::span<const std::uint8_t> bytes);
   /// Hands everything to the system. Throws Error (Kind::Failure) once if anything failed since the beginning.
   void flush();
-  /// Flushes, and waits until it is on the disc. Nothing may be recorded afterwards.
+  /// Flushes, and waits until it is on the disc. Nothing may be recorded afterwards. Throws Error as flush() does.
   void close();
 
  private:
   void append(std::uint8_t kind, std::int64_t nanoseconds, std::span<const std::uint8_t> payload);
   void hand_over();
   void throw_failure();
+  void give_up();
 
   std::string name_;
+  std::optional<std::filesystem::path> older_;  ///< where the older file of that name is
   int file_ = -1;
   int failure_ = 0;  ///< errno of the first failure that was not told yet
   bool failed_ = false;

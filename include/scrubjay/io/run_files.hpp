@@ -18,9 +18,9 @@ namespace scrubjay {
 
 /// What is known of a run only where its world is known.
 struct RunTruth {
-  Pose2 start;                          ///< the map frame's origin in the world's frame
-  std::vector<Segment2> walls;          ///< in the map's frame
-  std::optional<Pose2> dock;            ///< in the map's frame
+  Pose2 start;                  ///< the map frame's origin in the world's frame
+  std::vector<Segment2> walls;  ///< in the map's frame
+  std::optional<Pose2> dock;    ///< in the map's frame
   MapScore score;
   std::vector<StampedPose> trajectory;  ///< true poses in the map's frame; empty for a replay
   TrajectoryError error;
@@ -34,15 +34,16 @@ struct RunResult {
   std::vector<Pose2> bumps;             ///< estimated poses at bumps
   double robot_radius = 0.0;            ///< [m]
   std::optional<RunTruth> truth;
-  double wall_time = 0.0;               ///< by the clock [s]
-  double cpu_time = 0.0;                ///< [s]
+  double wall_time = 0.0;  ///< by the clock [s]
+  double cpu_time = 0.0;   ///< [s]
 };
 
 /// What metrics.json holds: everything that is the same for the same scenario.
 std::string metrics_json(const RunResult& run);
 
 /// Writes map.pgm and map.yaml, map.png, trajectory.tum, ground_truth.tum (where there is truth), metrics.json,
-/// timing.json and scenario.yaml, each whole or not at all. Makes the folder if need be. Throws Error (Kind::Failure).
+/// timing.json and scenario.yaml, each whole or not at all, and none before there was room for all: a disc that is full
+/// leaves an older run's files as they were. Makes the folder if need be. Throws Error (Kind::Failure).
 void write_run(const std::filesystem::path& folder, const RunResult& run);
 
 /// Throws Error (Kind::Failure) unless `folder` is there, or can be made, and can be written to: asked before a run, so

@@ -57,8 +57,7 @@ class SegmentIndex {
   std::int32_t width_ = 0;
   std::int32_t height_ = 0;
   // Buckets, row by row: those of cell c are [offsets_[c], offsets_[c + 1]) of both arrays, ascending by index.
-  // Pieces are copied into each bucket that they cross: a ray then reads one stretch of memory per cell
-  // (world_bench, Cast: faster than looking the segment up by its index, or than one array per coordinate).
+  // Pieces are copied into each bucket that they cross: a ray then reads one stretch of memory a cell.
   std::vector<std::uint32_t> offsets_;
   std::vector<Piece> pieces_;
   std::vector<std::uint32_t> ids_;

@@ -1,0 +1,108 @@
+// Marking cells, and growing a map, in cells of 5 cm.
+#include <benchmark/benchmark.h>
+
+#include <scrubjay/grid/contact_model.hpp>
+#include <scrubjay/grid/traversal.hpp>
+#include <scrubjay/mapping/contact_mapper.hpp>
+#include <scrubjay/mapping/growing_map.hpp>
+#include <vector>
+
+namespace scrubjay {
+namespace {
+
+const GridGeometry kGrid{0.05, {-5.0, -5.0}, 200, 200};
+
+/// A drive on a circle of 4 m, `step` metres a tick.
+class Circle {
+ public:
+  explicit Circle(double step) : step_(step) {}
+  Pose2 next() {
+    angle_ = wrap_angle(angle_ + step_ / kRadius);
+    const Point2 p = kRadius * direction(angle_);
+    return {p.x(), p.y(), wrap_angle(angle_ + 0.5 * kPi)};
+  }
+
+ private:
+  static constexpr double kRadius = 4.0;
+  double step_;
+  double angle_ = 0.0;
+};
+
+Frame beside_a_wall() {
+  Frame frame;
+  frame.light_signal = {640, 130, 40, 31, 30, 30};
+  return frame;
+}
+
+void integrate(benchmark::State& state, const Frame& frame, double step) {
+  std::vector<LogOdds> cells(kGrid.size());
+  ContactModel model({});
+  Circle circle(step);
+  for (auto _ : state) {
+    model.integrate(frame, circle.next(), {kGrid, cells.data()});
+    benchmark::ClobberMemory();
+  }
+}
+
+/// A tick at 0.1 m/s, of which one in 14 makes a step of the model.
+void IntegrateInTheOpen(benchmark::State& state) {
+  integrate(state, {}, 0.0015);
+}
+BENCHMARK(IntegrateInTheOpen);
+
+void IntegrateBesideAWall(benchmark::State& state) {
+  integrate(state, beside_a_wall(), 0.0015);
+}
+BENCHMARK(IntegrateBesideAWall);
+
+/// A step of the model every time.
+void IntegrateWholeStepBesideAWall(benchmark::State& state) {
+  integrate(state, beside_a_wall(), 0.025);
+}
+BENCHMARK(IntegrateWholeStepBesideAWall);
+
+void IntegrateBumps(benchmark::State& state) {
+  Frame frame = beside_a_wall();
+  frame.bump_left = true;
+  integrate(state, frame, 0.025);
+}
+BENCHMARK(IntegrateBumps);
+
+/// The mapper around the model: makes room first.
+void UpdateMapper(benchmark::State& state) {
+  ContactMapper mapper({}, kGrid.resolution);
+  Circle circle(0.0015);
+  const Frame frame = beside_a_wall();
+  PoseEstimate estimate;
+  for (auto _ : state) {
+    estimate.pose = circle.next();
+    mapper.update(frame, estimate);
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(UpdateMapper);
+
+/// A map that grows from nothing to a square of `side` metres, along its diagonal.
+void Grow(benchmark::State& state) {
+  const double side = static_cast<double>(state.range(0));
+  for (auto _ : state) {
+    GrowingMap map(kGrid.resolution);
+    for (double way = 0.0; way < side; way += 0.02) map.cover({way, way}, 0.3);
+    benchmark::DoNotOptimize(map.view().cells);
+  }
+  state.counters["cells"] = side * side / (kGrid.resolution * kGrid.resolution);
+}
+BENCHMARK(Grow)->Arg(20)->Arg(160)->Unit(benchmark::kMicrosecond);
+
+/// Trinary cells of a map of 20 x 20 m, for a file.
+void MakeOccupancy(benchmark::State& state) {
+  GrowingMap map(kGrid.resolution);
+  map.cover({10.0, 10.0}, 10.0);
+  const GridView<LogOdds> view = map.view();
+  for (std::size_t i = 0; i < view.geometry.size(); ++i) view.cells[i] = static_cast<LogOdds>(i * 7919 % 201 - 100);
+  for (auto _ : state) benchmark::DoNotOptimize(map.occupancy().cells.data());
+}
+BENCHMARK(MakeOccupancy)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace scrubjay
