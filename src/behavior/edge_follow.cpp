@@ -150,8 +150,7 @@ void EdgeFollow::retreat(const Situation& now) {
   const double way = (now.estimate.pose.position() - retreat_from_).norm();
   const bool enough = way >= params_.retreat && !forbidden;
   // By the clock, since something behind it may hold it.
-  const double patience = params_.farthest_retreat / params_.forward_speed;
-  if (!enough && now.frame.stamp - retreat_stamp_ < patience) return;
+  if (!enough && now.frame.stamp - retreat_stamp_ < params_.longest_retreat) return;
   if (fenced_) return leave_edge(now, now.estimate.pose.yaw);
   least_turn_ = params_.cliff_turn;
   enter(State::Align);
@@ -175,10 +174,8 @@ void EdgeFollow::follow(const EdgeView& view) {
     extra_gap_ = std::min(extra_gap_ + params_.dark_step, std::max(extra_gap_, most));
   }
   if (view.bump_side || ahead(view)) return enter(State::Align);
-  if (edge_seen(view)) {
-    orbited_ = 0.0;
-    return;
-  }
+  if (edge_seen(view)) orbited_ = 0.0;
+  if (edge_seen(view)) return;
   if (!at_cliff) extra_gap_ = 0.0;  // the next surface may be brighter
   enter(State::Orbit);
 }

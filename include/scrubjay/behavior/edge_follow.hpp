@@ -26,13 +26,13 @@ struct EdgeFollowParams {
   double dark_step = 0.01;            ///< kept off farther after each touch: the surface is darker than it seems [m]
   double cliff_gap = 0.06;            ///< kept off farther from a cliff: wheels are nearer to it than the shell [m]
   double cliff_turn = radians(40.0);  ///< turned away from a cliff at least, after driving back [rad]
-  double retreat = 0.05;              ///< driven back from a cliff or a virtual wall at least ...
-  double farthest_retreat = 0.4;      ///< ... and at most, while it is still sensed [m]
+  double retreat = 0.05;              ///< driven back from a cliff or a virtual wall, and on while it is sensed [m]
+  double longest_retreat = 4.0;       ///< ... but no longer than this, since something behind may hold it [s]
   double full_turn = 2.0 * kPi;       ///< turned this far without an edge, forget it [rad]; the thesis's hundred turns
   double look_distance = 1.0;         ///< along a known edge between two looks for unknown floor [m]
   double worthwhile = 0.15;           ///< unknown floor that a drive must cross, or it was in vain [m]
   double least_drive = 0.1;           ///< a shorter drive over open floor ends in following what is in the way [m]
-  int patience = 8;                  ///< drives in vain, in a row, before it ends
+  int patience = 8;                   ///< drives in vain, in a row, before it ends
   Side preferred_side = Side::Left;
   LoopClosureParams closure;
 };
