@@ -1,7 +1,7 @@
 #include "data_folder.hpp"
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/robot_file.hpp>
@@ -30,13 +30,15 @@ std::string known_robots() {
 std::filesystem::path data_folder() {
   if (const char* named = std::getenv("SCRUBJAY_DATA_DIR")) return named;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  for (std::filesystem::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
+  for (std::filesystem::path folder = program.parent_path(); folder.has_relative_path();
+       folder = folder.parent_path()) {
     for (const std::filesystem::path& candidate : {folder / "share" / "scrubjay", folder}) {
       if (std::filesystem::exists(candidate / "urdf" / "noise.yaml")) return candidate;
     }
   }
   if (std::filesystem::exists(SCRUBJAY_SOURCE_DIR "/urdf/noise.yaml")) return SCRUBJAY_SOURCE_DIR;
-  throw Error("the robots that come with scrubjay can't be found; set SCRUBJAY_DATA_DIR to the folder that holds urdf/");
+  throw Error(
+      "the robots that come with scrubjay can't be found; set SCRUBJAY_DATA_DIR to the folder that holds urdf/");
 }
 
 sim::RobotSpec find_robot(const std::string& model) {

@@ -25,21 +25,18 @@ double sin_series(double x) {
                  (-1.0 / 6 +
                   z * (1.0 / 120 +
                        z * (-1.0 / 5040 +
-                            z * (1.0 / 362880 +
-                                 z * (-1.0 / 39916800 +
-                                      z * (1.0 / 6227020800.0 +
-                                           z * (-1.0 / 1307674368000.0 + z * (1.0 / 355687428096000.0))))))));
+                            z * (1.0 / 362880 + z * (-1.0 / 39916800 + z * (1.0 / 6227020800.0 +
+                                                                            z * (-1.0 / 1307674368000.0 +
+                                                                                 z * (1.0 / 355687428096000.0))))))));
 }
 
 double cos_series(double x) {
   const double z = x * x;
-  return 1.0 +
-         z * (-0.5 + z * (1.0 / 24 +
-                          z * (-1.0 / 720 +
-                               z * (1.0 / 40320 +
-                                    z * (-1.0 / 3628800 +
-                                         z * (1.0 / 479001600.0 +
-                                              z * (-1.0 / 87178291200.0 + z * (1.0 / 20922789888000.0))))))));
+  return 1.0 + z * (-0.5 + z * (1.0 / 24 +
+                                z * (-1.0 / 720 + z * (1.0 / 40320 + z * (-1.0 / 3628800 +
+                                                                          z * (1.0 / 479001600.0 +
+                                                                               z * (-1.0 / 87178291200.0 +
+                                                                                    z * (1.0 / 20922789888000.0))))))));
 }
 
 // Arc tangent on [0, 1]: reduced to |t| <= 1/16 around a multiple of 1/8, then its Taylor polynomial.
@@ -58,9 +55,9 @@ double atan_unit(double x) {
   const double t = (x - anchor) / (1.0 + x * anchor);
   const double z = t * t;
   const double series =
-      t * (1.0 -
-           z * (1.0 / 3 -
-                z * (1.0 / 5 - z * (1.0 / 7 - z * (1.0 / 9 - z * (1.0 / 11 - z * (1.0 / 13 - z * (1.0 / 15))))))));
+      t *
+      (1.0 - z * (1.0 / 3 -
+                  z * (1.0 / 5 - z * (1.0 / 7 - z * (1.0 / 9 - z * (1.0 / 11 - z * (1.0 / 13 - z * (1.0 / 15))))))));
   return kAtanEighths[eighths] + series;
 }
 
@@ -68,14 +65,19 @@ double atan_unit(double x) {
 
 SinCos sin_cos(double angle) {
   const double quarter_turns = std::floor(angle * (1.0 / kPiOver2) + 0.5);
-  const double r = ((angle - quarter_turns * kPiOver2High) - quarter_turns * kPiOver2Middle) - quarter_turns * kPiOver2Low;
+  const double r =
+      ((angle - quarter_turns * kPiOver2High) - quarter_turns * kPiOver2Middle) - quarter_turns * kPiOver2Low;
   const double s = sin_series(r);
   const double c = cos_series(r);
   switch (static_cast<std::int64_t>(quarter_turns) & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
   }
 }
 

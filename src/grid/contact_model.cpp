@@ -50,7 +50,9 @@ bool ContactModel::bump_began(const Frame& frame) const {
   return (frame.bump_left && !was_bumped_left_) || (frame.bump_right && !was_bumped_right_);
 }
 
-bool ContactModel::cliff_began(const Frame& frame) const { return (frame.cliff_flags & ~last_cliff_flags_) != 0; }
+bool ContactModel::cliff_began(const Frame& frame) const {
+  return (frame.cliff_flags & ~last_cliff_flags_) != 0;
+}
 
 bool ContactModel::wants(const Frame& frame, const Pose2& pose) const {
   return moved(pose) || turned(pose) || bump_began(frame) || cliff_began(frame);

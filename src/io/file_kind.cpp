@@ -25,15 +25,24 @@ bool is_trajectory(std::string_view text) {
 
 std::string_view to_string(FileKind kind) {
   switch (kind) {
-    case FileKind::Recording: return "recording";
-    case FileKind::World: return "world";
-    case FileKind::HouseExpoPlan: return "HouseExpo plan";
-    case FileKind::MapYaml: return "map";
-    case FileKind::Scenario: return "scenario";
-    case FileKind::Image: return "image";
-    case FileKind::Urdf: return "URDF robot";
-    case FileKind::Trajectory: return "trajectory";
-    case FileKind::Unknown: return "unknown";
+    case FileKind::Recording:
+      return "recording";
+    case FileKind::World:
+      return "world";
+    case FileKind::HouseExpoPlan:
+      return "HouseExpo plan";
+    case FileKind::MapYaml:
+      return "map";
+    case FileKind::Scenario:
+      return "scenario";
+    case FileKind::Image:
+      return "image";
+    case FileKind::Urdf:
+      return "URDF robot";
+    case FileKind::Trajectory:
+      return "trajectory";
+    case FileKind::Unknown:
+      return "unknown";
   }
   return "";
 }

@@ -51,11 +51,12 @@ void read_details(const YamlField& root, sim::RobotSpec& spec) {
   if (root.has("protocol")) model.protocol = read_protocol(root.at("protocol"));
   if (root.has("light")) {
     LightSensorModel& light = model.light;
-    read_settings(root.at("light"), std::array<Setting, 5>{{{"gain", &light.gain, &kPositive},
-                                                            {"attenuation", &light.attenuation, &kPositive},
-                                                            {"ambient", &light.ambient, &kNotNegative},
-                                                            {"max_range", &light.max_range, &kPositive},
-                                                            {"beam_half_angle", &light.beam_half_angle, &kNotNegative}}});
+    read_settings(root.at("light"),
+                  std::array<Setting, 5>{{{"gain", &light.gain, &kPositive},
+                                          {"attenuation", &light.attenuation, &kPositive},
+                                          {"ambient", &light.ambient, &kNotNegative},
+                                          {"max_range", &light.max_range, &kPositive},
+                                          {"beam_half_angle", &light.beam_half_angle, &kNotNegative}}});
   }
   if (root.has("bumper")) {
     read_settings(root.at("bumper"), std::array<Setting, 2>{{{"half_from", &model.bumper.half_from, &kAngle},
@@ -68,11 +69,10 @@ void read_details(const YamlField& root, sim::RobotSpec& spec) {
   }
   if (root.has("infrared")) {
     sim::InfraredSpec& infrared = spec.infrared;
-    read_settings(root.at("infrared"),
-                  std::array<Setting, 4>{{{"buoy_bearing", &infrared.buoy_bearing, &kAngle},
-                                          {"buoy_half_angle", &infrared.buoy_half_angle, &kAngle},
-                                          {"buoy_range", &infrared.buoy_range, &kNotNegative},
-                                          {"force_field", &infrared.force_field, &kNotNegative}}});
+    read_settings(root.at("infrared"), std::array<Setting, 4>{{{"buoy_bearing", &infrared.buoy_bearing, &kAngle},
+                                                               {"buoy_half_angle", &infrared.buoy_half_angle, &kAngle},
+                                                               {"buoy_range", &infrared.buoy_range, &kNotNegative},
+                                                               {"force_field", &infrared.force_field, &kNotNegative}}});
   }
   if (root.has("battery")) {
     sim::BatterySpec& battery = spec.battery;

@@ -53,7 +53,8 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   if (root.has("noise")) scenario.noise = root.at("noise").text();
   if (root.has("seed")) scenario.seed = read_seed(root.at("seed"));
   if (root.has("start")) {
-    const std::vector<double> pose = root.at("start").numbers(3, {-kWorldExtent, kWorldExtent}, "[x, y, theta] in metres and radians");
+    const std::vector<double> pose =
+        root.at("start").numbers(3, {-kWorldExtent, kWorldExtent}, "[x, y, theta] in metres and radians");
     scenario.start = Pose2{pose[0], pose[1], wrap_angle(pose[2])};
   }
   if (root.has("resolution")) {

@@ -85,8 +85,9 @@ bool read_row(const Body& body, std::initializer_list<const char*> links, Place&
   std::size_t found = 0;
   for (const char* link : links) found += body.has(link);
   if (found == 0) return false;
-  if (found < links.size()) body.fail(fmt::format("has {} of the {} links from {} to {}; want all or none", found,
-                                                  links.size(), *links.begin(), *(links.end() - 1)));
+  if (found < links.size())
+    body.fail(fmt::format("has {} of the {} links from {} to {}; want all or none", found, links.size(), *links.begin(),
+                          *(links.end() - 1)));
   std::size_t i = 0;
   for (const char* link : links) place(i++, body.place(link));
   return true;
@@ -103,12 +104,14 @@ void read_urdf_body(const std::filesystem::path& urdf, sim::RobotSpec& spec) {
   model.drive.wheel_radius = body.cylinder("left_wheel").radius;
   const double left = body.place("left_wheel").y;
   const double right = body.place("right_wheel").y;
-  if (!(left > right)) body.fail(fmt::format("left_wheel is at y = {}, right_wheel at {}; want the left one left", left, right));
+  if (!(left > right))
+    body.fail(fmt::format("left_wheel is at y = {}, right_wheel at {}; want the left one left", left, right));
   model.drive.wheel_separation = left - right;
   spec.wheel_drop_offset = 0.5 * (left - right);
 
   model.has_light_sensors = read_row(
-      body, {"light_left", "light_front_left", "light_center_left", "light_center_right", "light_front_right", "light_right"},
+      body,
+      {"light_left", "light_front_left", "light_center_left", "light_center_right", "light_front_right", "light_right"},
       [&](std::size_t i, const Pose2& pose) { model.light.mount[i] = pose; });
   read_row(body, {"cliff_left", "cliff_front_left", "cliff_front_right", "cliff_right"},
            [&](std::size_t i, const Pose2& pose) { model.cliff_sensors[i] = pose.position(); });

@@ -135,8 +135,8 @@ double WorldShapes::angle(const YamlField& field) {
 }
 
 World world_from_yaml(const YamlField& root) {
-  root.expect_keys(
-      {"name", "wall_thickness", "walls", "furniture", "doors", "cliffs", "carpets", "dirt", "virtual_walls", "dock", "start"});
+  root.expect_keys({"name", "wall_thickness", "walls", "furniture", "doors", "cliffs", "carpets", "dirt",
+                    "virtual_walls", "dock", "start"});
   WorldShapes shapes;
   World world;
   if (root.has("name")) world.name = root.at("name").text();

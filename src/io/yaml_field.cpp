@@ -75,8 +75,9 @@ YamlField YamlField::choice(std::string_view key, std::string_view kind) const {
   if (has(key)) return at(key);
   std::vector<std::string> names;
   for (const auto& entry : node_) names.push_back(entry.first.Scalar());
-  throw Error(fmt::format("{}: there is no {} '{}'; did you mean '{}'? (known: {})", file_, kind, shown(std::string(key)),
-                          nearest_word(key, {names.begin(), names.end()}), fmt::join(names, ", ")));
+  throw Error(fmt::format("{}: there is no {} '{}'; did you mean '{}'? (known: {})", file_, kind,
+                          shown(std::string(key)), nearest_word(key, {names.begin(), names.end()}),
+                          fmt::join(names, ", ")));
 }
 
 std::vector<YamlField> YamlField::items_of(std::string_view key) const {

@@ -35,7 +35,8 @@ class YamlField {
   bool has(std::string_view key) const;
   /// The field `key`, which must be there.
   YamlField at(std::string_view key) const;
-  /// The field `key` of a map whose keys are names of a `kind`; throws Error that lists them, and the nearest, if none is.
+  /// The field `key` of a map whose keys are names of a `kind`; throws Error that lists them, and the nearest, if none
+  /// is.
   YamlField choice(std::string_view key, std::string_view kind) const;
   /// The entries of a list.
   std::vector<YamlField> items() const;

@@ -12,7 +12,9 @@ constexpr std::int32_t kMaxSide = 16384;
 
 }  // namespace
 
-GrowingMap::GrowingMap(double resolution) { geometry_.resolution = resolution; }
+GrowingMap::GrowingMap(double resolution) {
+  geometry_.resolution = resolution;
+}
 
 void GrowingMap::cover(const Point2& center, double radius) {
   const double r = geometry_.resolution;

@@ -5,11 +5,16 @@ namespace scrubjay {
 
 std::string_view to_string(Ended ended) {
   switch (ended) {
-    case Ended::Done: return "done";
-    case Ended::TimeLimit: return "time limit";
-    case Ended::Stopped: return "stopped";
-    case Ended::Stuck: return "stuck";
-    case Ended::RobotGone: return "robot gone";
+    case Ended::Done:
+      return "done";
+    case Ended::TimeLimit:
+      return "time limit";
+    case Ended::Stopped:
+      return "stopped";
+    case Ended::Stuck:
+      return "stuck";
+    case Ended::RobotGone:
+      return "robot gone";
   }
   return "";
 }

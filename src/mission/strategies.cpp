@@ -27,7 +27,8 @@ constexpr std::array<Row, 6> kStrategies{{
     {"random-3", make<Random3>},
     {"random-look", make<RandomLook>},
     {"random-aware", make<RandomAware>},
-    {"reactive", [](const RobotModel& robot, const Random&) -> std::unique_ptr<Behavior> {
+    {"reactive",
+     [](const RobotModel& robot, const Random&) -> std::unique_ptr<Behavior> {
        return std::make_unique<Reactive>(robot);
      }},
     {"edge-follow", make<EdgeFollow>},

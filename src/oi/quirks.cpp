@@ -1,5 +1,4 @@
 #include <charconv>
-#include <cstdlib>
 #include <scrubjay/oi/quirks.hpp>
 
 namespace scrubjay::oi {
@@ -54,8 +53,10 @@ bool heeds_cliffs(int right_velocity, int left_velocity) {
   constexpr int kWheelSeparation = 235;  // [mm]
   const int sum = right_velocity + left_velocity;
   if (sum >= 0) return sum > 0;
+  const int difference =
+      right_velocity > left_velocity ? right_velocity - left_velocity : left_velocity - right_velocity;
   // The radius of the arc is separation / 2 * sum / difference.
-  return kWheelSeparation * -sum < kRobotDiameter * std::abs(right_velocity - left_velocity);
+  return kWheelSeparation * -sum < kRobotDiameter * difference;
 }
 
 OiMode mode_after_safety(OiMode mode, const SafetyInputs& inputs) {

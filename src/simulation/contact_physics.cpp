@@ -3,7 +3,9 @@
 namespace scrubjay::sim {
 namespace {
 
-b2Vec2 to_box2d(const Point2& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
+b2Vec2 to_box2d(const Point2& p) {
+  return {static_cast<float>(p.x()), static_cast<float>(p.y())};
+}
 
 }  // namespace
 

@@ -12,8 +12,8 @@
 
 namespace scrubjay::sim {
 
-/// Signal over distance, beam width, surface colour, incidence and noise. Each beam is three rays: the middle, with half
-/// of the weight, and two halfway to its edges.
+/// Signal over distance, beam width, surface colour, incidence and noise. Each beam is three rays: the middle, with
+/// half of the weight, and two halfway to its edges.
 class LightSensing {
  public:
   LightSensing(const RobotSpec& spec, const NoiseProfile& noise, const SystematicErrors& errors, const Random& random);
@@ -25,8 +25,8 @@ class LightSensing {
 
  private:
   static constexpr int kRays = 3;
-  static constexpr double kFlagOn = 100.0;   ///< counts at which a flag rises; own guess
-  static constexpr double kFlagOff = 70.0;   ///< ... and falls
+  static constexpr double kFlagOn = 100.0;  ///< counts at which a flag rises; own guess
+  static constexpr double kFlagOff = 70.0;  ///< ... and falls
 
   /// A sensor's rays in the robot's frame.
   struct Beam {

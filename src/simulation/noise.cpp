@@ -15,8 +15,8 @@ SystematicErrors draw_errors(const NoiseProfile& profile, std::size_t pieces, co
   Random light = random.fork(1);
   SystematicErrors errors;
   const double mismatch = either_way(profile.wheel_mismatch, drive);
-  const double scale = (1.0 + either_way({0.0, profile.distance_error}, drive)) *
-                       drive.uniform(profile.grip.low, profile.grip.high);
+  const double scale =
+      (1.0 + either_way({0.0, profile.distance_error}, drive)) * drive.uniform(profile.grip.low, profile.grip.high);
   errors.left_scale = scale * (1.0 - 0.5 * mismatch);
   errors.right_scale = scale * (1.0 + 0.5 * mismatch);
   errors.separation_scale = 1.0 + either_way(profile.separation_error, drive);

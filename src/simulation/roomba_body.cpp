@@ -66,7 +66,9 @@ RoombaBody::RoombaBody(const World& world, const SegmentIndex& index, const Robo
 
 RoombaBody::~RoombaBody() = default;
 
-const Truth& RoombaBody::truth() const { return state_->truth; }
+const Truth& RoombaBody::truth() const {
+  return state_->truth;
+}
 
 const BodySenses& RoombaBody::tick(const WheelSpeeds& wanted) {
   State& s = *state_;
@@ -88,7 +90,8 @@ const BodySenses& RoombaBody::tick(const WheelSpeeds& wanted) {
 }
 
 void RoombaBody::State::move(const WheelSpeeds& wanted) {
-  const double slip = noise.carpet_slip > 0.0 ? noise.carpet_slip * surroundings.carpet_slip(truth.pose.position()) : 0.0;
+  const double slip =
+      noise.carpet_slip > 0.0 ? noise.carpet_slip * surroundings.carpet_slip(truth.pose.position()) : 0.0;
   const Roll roll = drive.tick(wanted, slip, kTick);
   account(roll, make_way(roll));
 }
@@ -181,8 +184,7 @@ void RoombaBody::State::feel_battery() {
   battery.current = battery.charging ? pack.charge_current : -(pack.idle_current + pack.drive_current * effort);
   constexpr double kHoursPerTick = kTick / 3600.0;
   battery.charge = std::clamp(battery.charge + battery.current * kHoursPerTick, 0.0, battery.capacity);
-  battery.voltage =
-      pack.empty_voltage + (pack.full_voltage - pack.empty_voltage) * battery.charge / battery.capacity;
+  battery.voltage = pack.empty_voltage + (pack.full_voltage - pack.empty_voltage) * battery.charge / battery.capacity;
 }
 
 }  // namespace scrubjay::sim

@@ -62,7 +62,8 @@ void Surroundings::refresh(const Point2& robot) {
 }
 
 bool Surroundings::over_cliff(const Point2& p) const {
-  return std::any_of(near_cliffs_.begin(), near_cliffs_.end(), [&](const Polygon* cliff) { return contains(*cliff, p); });
+  return std::any_of(near_cliffs_.begin(), near_cliffs_.end(),
+                     [&](const Polygon* cliff) { return contains(*cliff, p); });
 }
 
 double Surroundings::carpet_slip(const Point2& p) const {

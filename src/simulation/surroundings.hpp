@@ -11,7 +11,7 @@ namespace scrubjay::sim {
 
 struct NearSegment {
   Segment2 segment;
-  Point2 normal{0.0, 0.0};   ///< unit vector
+  Point2 normal{0.0, 0.0};  ///< unit vector
   double albedo = 1.0;
   Point2 nearest{0.0, 0.0};  ///< point of it nearest to the robot's middle
   double distance = 0.0;     ///< ... and how far that is [m]

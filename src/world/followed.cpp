@@ -5,8 +5,8 @@ namespace scrubjay {
 
 std::vector<std::uint16_t> followed_boundaries(const GroundTruth& truth, std::span<const StampedPose> trajectory,
                                                double robot_radius) {
-  constexpr double kBeside = 0.1;     // shell to wall, while following [m]
-  constexpr double kFollowed = 0.5;   // share of a boundary's walls that the robot must have been beside
+  constexpr double kBeside = 0.1;    // shell to wall, while following [m]
+  constexpr double kFollowed = 0.5;  // share of a boundary's walls that the robot must have been beside
   std::vector<bool> beside(truth.cells.size());
   for (const StampedPose& at : trajectory) {
     visit_disc(truth.geometry, at.pose.position(), robot_radius + kBeside,

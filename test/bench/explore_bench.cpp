@@ -1,6 +1,8 @@
 // The whole loop as `scrubjay explore` wires it, and what each of its steps costs.
 #include <benchmark/benchmark.h>
 
+#include <array>
+#include <iterator>
 #include <scrubjay/localization/localizer.hpp>
 #include <scrubjay/mapping/contact_mapper.hpp>
 #include <scrubjay/mission/mission.hpp>
@@ -8,6 +10,7 @@
 #include <scrubjay/mission/track.hpp>
 #include <scrubjay/robot/oi_robot.hpp>
 #include <scrubjay/simulation/simulated_roomba.hpp>
+#include <string>
 
 #include "recorded_run.hpp"
 
@@ -60,7 +63,7 @@ void StepsOfExplore(benchmark::State& state, const std::string& profile) {
       spent[i] += thread_cpu_time() - begin;
     }
   }
-  spent[5] -= spent[4];  // the mapper ran along with the behavior
+  spent.back() -= spent[spent.size() - 2];  // the mapper ran along with the behavior
   double sum = 0.0;
   for (const double part : spent) sum += part;
   const double ticks = static_cast<double>(run.ticks.size()) * static_cast<double>(state.iterations());

@@ -17,7 +17,7 @@ Frame at(double stamp, bool held) {
 /// When a detector first says that the robot is stuck, for a `held(t)` and a `pose(t)`; -1 if never within 100 s.
 template <typename Held, typename Place>
 double stuck_at(Held&& held, Place&& place, double begin = 0.0) {
-  StuckDetector detector;
+  StuckDetector detector{{.patience = 30.0}};
   for (double t = 0.0; t < 100.0; t += kTick) {
     if (detector.update(at(begin + t, held(t)), place(t))) return t;
   }
@@ -40,7 +40,7 @@ TEST(StuckDetectorTest, CountsFromWhenItWasFirstHeld) {
 
 TEST(StuckDetectorTest, WheelDropsAndCliffsHoldARobotToo) {
   for (int which = 0; which < 4; ++which) {
-    StuckDetector detector;
+    StuckDetector detector{{.patience = 30.0}};
     bool stuck = false;
     for (double t = 0.0; t < 40.0; t += kTick) {
       Frame frame = at(t, false);
@@ -77,7 +77,7 @@ TEST(StuckDetectorTest, ARobotThatMovesOnIsNot) {
 }
 
 TEST(StuckDetectorTest, IsNoLongerStuckWhenItHasMovedAway) {
-  StuckDetector detector;
+  StuckDetector detector{{.patience = 30.0}};
   bool stuck = false;
   for (double t = 0.0; t < 40.0; t += kTick) stuck = detector.update(at(t, true), {});
   EXPECT_TRUE(stuck);

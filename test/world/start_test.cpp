@@ -43,7 +43,9 @@ TEST(StartTest, RefusesTheInsideOfFurnitureThoughNoWallIsNear) {
   EXPECT_THAT(refusal({3, 2, 0}), HasSubstr("within the sofa"));
 }
 
-TEST(StartTest, RefusesAPlaceOverACliff) { EXPECT_THAT(refusal({1.4, 2.4, 0}), HasSubstr("over a cliff")); }
+TEST(StartTest, RefusesAPlaceOverACliff) {
+  EXPECT_THAT(refusal({1.4, 2.4, 0}), HasSubstr("over a cliff"));
+}
 
 }  // namespace
 }  // namespace scrubjay

@@ -18,9 +18,15 @@ inline double wrap_angle(double angle) {
 }
 
 /// Shortest turn from `from` to `to`, in [-pi, pi].
-inline double angle_difference(double to, double from) { return wrap_angle(to - from); }
+inline double angle_difference(double to, double from) {
+  return wrap_angle(to - from);
+}
 
-constexpr double radians(double degrees) { return degrees * (kPi / 180.0); }
-constexpr double degrees(double radians) { return radians * (180.0 / kPi); }
+constexpr double radians(double degrees) {
+  return degrees * (kPi / 180.0);
+}
+constexpr double degrees(double radians) {
+  return radians * (180.0 / kPi);
+}
 
 }  // namespace scrubjay

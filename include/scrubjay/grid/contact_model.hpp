@@ -14,11 +14,11 @@ namespace scrubjay {
 /// from 0.65 on, so no single bump or signal makes a wall. Our own choice, tried on the worlds of this repository.
 struct ContactModelParams {
   double swept = 0.1;               ///< the robot's disc was over it
-  double grazed = 0.25;           ///< cells whose centre is this near to the shell count as not swept [cells]
+  double grazed = 0.25;             ///< cells whose centre is this near to the shell count as not swept [cells]
   double lit = 0.64;                ///< a light signal's range ends there
   double beam = 0.4;                ///< a light signal's beam went through it
   double bumped = 0.62;             ///< on the contact arc, where a light sensor tells which part of it
-  double no_floor = 0.99;         ///< a cliff sensor is over it: nothing to be driven over twice
+  double no_floor = 0.99;           ///< a cliff sensor is over it: nothing to be driven over twice
   double bumped_blindly = 0.56;     ///< on the contact arc of the half that was hit, no sensor telling more
   double max_light_range = 0.12;    ///< farther signals say nothing: colour and slant weigh too much [m]
   double touch_range = 0.04;        ///< a light range up to this explains a bump [m]
@@ -27,8 +27,8 @@ struct ContactModelParams {
 };
 
 /// Marks what a frame at a pose says into log-odds cells: the disc swept is free; a bump marks the contact arc of the
-/// half that was hit; a light signal marks an obstacle at its sensor's bearing, at the range that its strength implies; a
-/// cliff is an obstacle, too.
+/// half that was hit; a light signal marks an obstacle at its sensor's bearing, at the range that its strength implies;
+/// a cliff is an obstacle, too.
 ///
 /// Readings count once a step of way or turn, so standing still makes nothing more certain than it is.
 class ContactModel {

@@ -8,7 +8,17 @@
 
 namespace scrubjay {
 
-enum class FileKind : std::uint8_t { Recording, World, HouseExpoPlan, MapYaml, Scenario, Image, Urdf, Trajectory, Unknown };
+enum class FileKind : std::uint8_t {
+  Recording,
+  World,
+  HouseExpoPlan,
+  MapYaml,
+  Scenario,
+  Image,
+  Urdf,
+  Trajectory,
+  Unknown
+};
 
 /// "recording", "world", ...
 std::string_view to_string(FileKind kind);

@@ -7,11 +7,11 @@
 
 namespace scrubjay {
 
-/// Our own choice: strategies free themselves within seconds, people wait for about half a minute.
+/// Our own choice: a strategy frees itself within seconds, a random one within a minute or so.
 struct StuckParams {
-  double patience = 30.0;  ///< held for this long at one place, it is stuck [s]
-  double free_for = 2.0;   ///< ... unless nothing held it for this long [s]
-  double place = 0.05;     ///< what counts as one place [m]
+  double patience = 120.0;  ///< held for this long at one place, it is stuck [s]
+  double free_for = 2.0;    ///< ... unless nothing held it for this long [s]
+  double place = 0.05;      ///< what counts as one place [m]
 };
 
 /// A robot is held while its bumper is pressed, a wheel hangs or a cliff is under it.

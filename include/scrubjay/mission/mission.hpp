@@ -27,10 +27,10 @@ std::string_view to_string(Ended ended);
 
 struct Report {
   Ended ended = Ended::RobotGone;
-  double time = 0.0;           ///< from the first frame to the last [s]
-  double distance = 0.0;       ///< driven, by the wheels [m]
-  std::uint64_t bumps = 0;     ///< times that the bumper closed
-  Pose2 pose;                  ///< where the robot thinks that it is
+  double time = 0.0;            ///< from the first frame to the last [s]
+  double distance = 0.0;        ///< driven, by the wheels [m]
+  std::uint64_t bumps = 0;      ///< times that the bumper closed
+  Pose2 pose;                   ///< where the robot thinks that it is
   std::optional<Point2> stuck;  ///< where it can't free itself
 };
 

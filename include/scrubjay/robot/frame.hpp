@@ -34,10 +34,10 @@ struct Frame {
   bool bump_right = false;
   bool wheel_drop_left = false;
   bool wheel_drop_right = false;
-  std::uint8_t light_flags = 0;                                ///< bit i: LightSensor i sees something
+  std::uint8_t light_flags = 0;                                 ///< bit i: LightSensor i sees something
   std::array<std::uint16_t, kLightSensorCount> light_signal{};  ///< 0 to 4095, grows as things come near
-  std::uint8_t cliff_flags = 0;                                ///< bit i: CliffSensor i sees no floor
-  bool wall = false;                                           ///< wall sensor, right side
+  std::uint8_t cliff_flags = 0;                                 ///< bit i: CliffSensor i sees no floor
+  bool wall = false;                                            ///< wall sensor, right side
   std::uint16_t wall_signal = 0;
   bool virtual_wall = false;
   std::uint8_t infrared_omni = 0;  ///< infrared characters, as in the OI specification; 0 is none

@@ -22,10 +22,10 @@ struct LightSensorModel {
       Pose2{0.154 * 0.97629600711993336, -0.154 * 0.21643961393810290, radians(-12.5)},
       Pose2{0.154 * 0.79335334029123517, -0.154 * 0.60876142900872066, radians(-37.5)},
       Pose2{0.154 * 0.42261826174069943, -0.154 * 0.90630778703664994, radians(-65.0)}};
-  double gain = 3500.0;              ///< signal at range 0 from a white surface seen square on
-  double attenuation = 26.83;        ///< [1/m]
-  double ambient = 30.0;             ///< signal when nothing is near
-  double max_range = 0.2;            ///< useful range [m]
+  double gain = 3500.0;                   ///< signal at range 0 from a white surface seen square on
+  double attenuation = 26.83;             ///< [1/m]
+  double ambient = 30.0;                  ///< signal when nothing is near
+  double max_range = 0.2;                 ///< useful range [m]
   double beam_half_angle = radians(7.0);  ///< [rad]
 
   /// Range that a signal implies for a surface of average albedo; max_range or more when it says nothing.

@@ -28,8 +28,8 @@ struct BodySenses {
   std::uint8_t infrared_left = 0;
   std::uint8_t infrared_right = 0;
   std::uint8_t dirt = 0;
-  double left_rolled = 0.0;   ///< by the encoder's account, since the start; forwards is positive [m]
-  double right_rolled = 0.0;  ///< [m]
+  double left_rolled = 0.0;             ///< by the encoder's account, since the start; forwards is positive [m]
+  double right_rolled = 0.0;            ///< [m]
   std::array<bool, 2> wheel_blocked{};  ///< left, right: turning against something that holds
   bool making_way = false;              ///< the caster wheel turns
   bool docked = false;

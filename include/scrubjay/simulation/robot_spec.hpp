@@ -19,7 +19,8 @@ struct WallSensorSpec {
 /// The receivers of infrared characters, and what the dock sends (create3_sim).
 struct InfraredSpec {
   Point2 receiver{0.153, 0.0};
-  double buoy_bearing = radians(10.0);     ///< of the beams' middles, from the dock's axis: green left of it, red right [rad]
+  double buoy_bearing =
+      radians(10.0);  ///< of the beams' middles, from the dock's axis: green left of it, red right [rad]
   double buoy_half_angle = radians(15.0);  ///< [rad]
   double buoy_range = 1.0;                 ///< [m]
   double force_field = 0.61;               ///< around the dock [m]
@@ -39,9 +40,9 @@ struct BatterySpec {
 struct RobotSpec {
   std::string name = "roomba-600";
   RobotModel model;
-  double mass = 3.6;          ///< [kg]
-  double acceleration = 0.4;  ///< of a wheel [m/s^2] (Gazebo plugin of create_autonomy)
-  double braking = 0.3;       ///< of a wheel [m/s^2] (the same)
+  double mass = 3.6;                  ///< [kg]
+  double acceleration = 0.4;          ///< of a wheel [m/s^2] (Gazebo plugin of create_autonomy)
+  double braking = 0.3;               ///< of a wheel [m/s^2] (the same)
   double wheel_drop_offset = 0.1175;  ///< of the wheels from the middle [m]
   WallSensorSpec wall;
   InfraredSpec infrared;

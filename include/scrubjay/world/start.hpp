@@ -7,7 +7,8 @@
 
 namespace scrubjay {
 
-/// Throws Error if the disc of `radius` [m] touches something at `start`, stands within furniture or over a cliff.
+/// Throws Error if the disc of `radius` [m] touches something at `start`, stands within furniture, over a cliff or
+/// outside the box around all that is solid.
 void expect_room(const World& world, const SegmentIndex& index, const Pose2& start, double radius);
 
 }  // namespace scrubjay

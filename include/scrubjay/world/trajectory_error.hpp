@@ -11,7 +11,7 @@ namespace scrubjay {
 /// Both trajectories in one frame, without any alignment but that. Sturm et al., *A Benchmark for the Evaluation of
 /// RGB-D SLAM Systems*, 2012, sec. VII.
 struct TrajectoryError {
-  double ate = 0.0;            ///< root mean square of the distance [m]
+  double ate = 0.0;             ///< root mean square of the distance [m]
   double final_distance = 0.0;  ///< at the last pose [m]
   double final_heading = 0.0;   ///< at the last pose, 0 to pi [rad]
 };
