@@ -38,7 +38,7 @@ class LimitedFileTest : public testing::Test {
 TEST_F(LimitedFileTest, LeavesAnOlderRunAsItWas) {
   ASSERT_EQ(scrubjay(explore(folder_ / "out", "1")).code, 0);
   const Contents older = contents_of(folder_ / "out");
-  for (const std::size_t size : {0, 100, 500, 5000, 20000}) {
+  for (const std::size_t size : {0U, 100U, 500U, 5000U, 20000U}) {
     SCOPED_TRACE(size);
     expect_failure(limited(explore(folder_ / "out", "2"), size), "File too large");
     EXPECT_TRUE(contents_of(folder_ / "out") == older);
@@ -54,7 +54,7 @@ TEST_F(LimitedFileTest, LeavesAnOlderRecordingAsItWas) {
   const Words record{"--record", (folder_ / "run.oilog").string()};
   ASSERT_EQ(scrubjay(explore(folder_ / "out", "1", record)).code, 0);
   const Contents older = contents_of(folder_.path());
-  for (const std::size_t size : {0, 50, 5000, 60000}) {
+  for (const std::size_t size : {0U, 50U, 5000U, 60000U}) {
     SCOPED_TRACE(size);
     expect_failure(limited(explore(folder_ / "out", "2", record), size), "run.oilog: cannot write the recording");
     EXPECT_TRUE(contents_of(folder_.path()) == older);
@@ -115,7 +115,7 @@ TEST_F(FullDiscTest, LeavesAnOlderRunAsItWasOrReplacesAllOfIt) {
   ASSERT_EQ(scrubjay(explore(out, "1")).code, 0);
   const Contents older = contents_of(out);
   int failed = 0;
-  for (const std::size_t room : {0, 4096, 12288, 32768, 65536, 98304, 131072}) {
+  for (const std::size_t room : {0U, 4096U, 12288U, 32768U, 65536U, 98304U, 131072U}) {
     SCOPED_TRACE(room);
     leave(room);
     const Outcome outcome = scrubjay(explore(out, "2"));
@@ -135,7 +135,7 @@ TEST_F(FullDiscTest, LeavesAnOlderRecordingAsItWas) {
   ASSERT_EQ(scrubjay(explore(folder_ / "out", "1", record)).code, 0);
   const std::string older = content_of(disc_ / "run.oilog");
   const Contents results = contents_of(folder_ / "out");
-  for (const std::size_t room : {0, 4096, 40960}) {
+  for (const std::size_t room : {0U, 4096U, 40960U}) {
     SCOPED_TRACE(room);
     leave(room);
     expect_failure(scrubjay(explore(folder_ / "out", "2", record)),

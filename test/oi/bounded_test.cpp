@@ -57,11 +57,18 @@ TEST(FixedListTest, TakesAsManyAsItMay) {
 
 TEST(FixedListTest, EqualityIsThatOfTheItemsInUse) {
   using List = FixedList<int, 0, 3>;
-  List shrunk = {1, 2, 3};
-  shrunk = {1};
-  EXPECT_EQ(shrunk, (List{1}));
-  EXPECT_NE(shrunk, (List{1, 2}));
-  EXPECT_NE(shrunk, (List{2}));
+  const auto list = [](const std::vector<int>& items) { return *List::of(items); };
+  List shrunk = list({1, 2, 3});
+  shrunk = list({1});
+  EXPECT_EQ(shrunk, list({1}));
+  EXPECT_NE(shrunk, list({1, 2}));
+  EXPECT_NE(shrunk, list({2}));
+}
+
+TEST(FixedListTest, IsBuiltFromLiterals) {
+  static constexpr FixedList<int, 0, 3> kLiterals = {4, 5};
+  EXPECT_EQ(kLiterals.size(), 2U);
+  EXPECT_EQ(kLiterals[1], 5);
 }
 
 TEST(RadiusTest, StraightHasTwoNumbers) {
