@@ -16,6 +16,7 @@ constexpr double kPiOver2Middle = 6.07710050630396597660e-11;
 constexpr double kPiOver2Low = 2.02226624879595063154e-21;
 constexpr double kLn2High = 6.93147180369123816490e-01;
 constexpr double kLn2Low = 1.90821492927058770002e-10;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSqrt2 = 1.41421356237309504880;
 
 // Taylor polynomials on [-pi/4, pi/4]: the first term left out is below 1e-19.
@@ -41,6 +42,7 @@ double cos_series(double x) {
 
 // Arc tangent on [0, 1]: reduced to |t| <= 1/16 around a multiple of 1/8, then its Taylor polynomial.
 double atan_unit(double x) {
+  if (!(x <= 1.0)) return kNan;
   static constexpr double kAtanEighths[9] = {0.0,
                                              0.12435499454676143503,
                                              0.24497866312686415417,
@@ -64,6 +66,8 @@ double atan_unit(double x) {
 }  // namespace
 
 SinCos sin_cos(double angle) {
+  constexpr double kLargest = 1e9;  // past it, nothing would be left of the angle after the reduction
+  if (!(std::fabs(angle) <= kLargest)) return {kNan, kNan};
   const double quarter_turns = std::floor(angle * (1.0 / kPiOver2) + 0.5);
   const double r =
       ((angle - quarter_turns * kPiOver2High) - quarter_turns * kPiOver2Middle) - quarter_turns * kPiOver2Low;

@@ -189,5 +189,19 @@ TEST(ElementaryTest, Atan2KeepsItsBits) {
   for (const Row& row : rows) EXPECT_EQ(bits(atan2(row.y, row.x)), row.result) << row.y << ", " << row.x;
 }
 
+TEST(ElementaryTest, WhatIsNoAngleHasNoSine) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double angle : {kNan, kInfinity, -kInfinity, 1e300, -1e10}) {
+    EXPECT_TRUE(std::isnan(sin_cos(angle).sin)) << angle;
+    EXPECT_TRUE(std::isnan(sin_cos(angle).cos)) << angle;
+  }
+  EXPECT_TRUE(std::isnan(atan2(kNan, 1.0)));
+  EXPECT_TRUE(std::isnan(atan2(1.0, kNan)));
+  EXPECT_TRUE(std::isnan(atan2(kInfinity, kInfinity)));
+  EXPECT_EQ(atan2(1.0, kInfinity), 0.0);
+  EXPECT_EQ(exp(kNan), 0.0);
+}
+
 }  // namespace
 }  // namespace scrubjay

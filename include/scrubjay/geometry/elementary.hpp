@@ -14,7 +14,7 @@ struct SinCos {
   double cos;
 };
 
-/// Sine and cosine of `angle` [rad], |angle| up to 1e6.
+/// Sine and cosine of `angle` [rad], |angle| up to 1e6; past 1e9, and for what is no number, both are NaN.
 SinCos sin_cos(double angle);
 
 /// e to the power of x; 0 below -708, clamped to exp(709) above.
@@ -23,7 +23,7 @@ double exp(double x);
 /// Natural logarithm of x > 0 (normal numbers). -infinity for x <= 0.
 double log(double x);
 
-/// Angle of the vector (x, y) in (-pi, pi]; 0 for the zero vector.
+/// Angle of the vector (x, y) in (-pi, pi]; 0 for the zero vector, NaN if either is no number or both are infinite.
 double atan2(double y, double x);
 
 }  // namespace scrubjay
