@@ -1,3 +1,9 @@
 #include <scrubjay/localization/localizer.hpp>
 
-// The localizers of today are header-only; this gives the room a library to link.
+namespace scrubjay {
+
+const PoseEstimate& DeadReckoning::update(const Frame& frame) {
+  return odometry_.update({frame.left_travel, frame.right_travel}, frame.stamp);
+}
+
+}  // namespace scrubjay

@@ -20,9 +20,7 @@ class DeadReckoning final : public Localizer {
  public:
   explicit DeadReckoning(const DifferentialDrive& drive, const WheelNoise& noise = {}) : odometry_(drive, noise) {}
 
-  const PoseEstimate& update(const Frame& frame) override {
-    return odometry_.update({frame.left_travel, frame.right_travel}, frame.stamp);
-  }
+  const PoseEstimate& update(const Frame& frame) override;
 
  private:
   Odometry odometry_;
