@@ -14,15 +14,20 @@ class ContactMapper final : public Mapper {
       : model_(robot, params), map_(resolution) {}
 
   void update(const Frame& frame, const PoseEstimate& estimate) override {
-    if (model_.wants(frame, estimate.pose)) map_.cover(estimate.pose.position(), model_.reach());
+    changed_ = {};
+    if (!model_.wants(frame, estimate.pose)) return model_.integrate(frame, estimate.pose, map_.view());
+    map_.cover(estimate.pose.position(), model_.reach());
     model_.integrate(frame, estimate.pose, map_.view());
+    changed_ = cells_around(map_.view().geometry, estimate.pose.position(), model_.reach());
   }
+  CellRect changed() const override { return changed_; }
   GridView<const LogOdds> map() const override { return map_.view(); }
   OccupancyGrid occupancy() const override { return map_.occupancy(); }
 
  private:
   ContactModel model_;
   GrowingMap map_;
+  CellRect changed_;
 };
 
 }  // namespace scrubjay

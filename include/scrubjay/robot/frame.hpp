@@ -4,7 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <scrubjay/geometry/pose2.hpp>
 #include <scrubjay/oi/mode.hpp>
+#include <scrubjay/robot/laser_scan.hpp>
 
 namespace scrubjay {
 
@@ -25,7 +28,7 @@ struct Battery {
   bool charging = false;
 };
 
-/// All that the robot sensed in one tick (15 ms on the Open Interface).
+/// All that the robot sensed in one tick (15 ms on the Open Interface, 20 ms on a TurtleBot3).
 struct Frame {
   double stamp = 0.0;         ///< time of arrival [s]; starts at the robot's first frame or the channel's clock
   double left_travel = 0.0;   ///< rolled by the left wheel since the frame before [m]
@@ -46,6 +49,10 @@ struct Frame {
   std::uint8_t dirt = 0;  ///< dirt detector's level
   oi::OiMode mode = oi::OiMode::Off;
   Battery battery;
+  /// The robot's own odometry: its pose in its `odom` frame, from a robot that tells that instead of wheel travel.
+  std::optional<Pose2> odometry;
+  /// A scan that was complete by this frame; its ranges are valid until the robot's next one.
+  std::optional<LaserScan> scan;
 
   bool bumped() const { return bump_left || bump_right; }
   bool wheel_dropped() const { return wheel_drop_left || wheel_drop_right; }

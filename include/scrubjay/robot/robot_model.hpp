@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <scrubjay/geometry/pose2.hpp>
 #include <scrubjay/odometry/differential_drive.hpp>
 #include <scrubjay/oi/model.hpp>
@@ -42,17 +43,36 @@ struct BumperModel {
   double half_to = radians(90.0);     ///< ... to here; the right half is its mirror image [rad]
 };
 
+/// A lidar that turns. Defaults: LDS-01 on a TurtleBot3 Burger (ROBOTIS, data sheet and URDF).
+struct LidarModel {
+  Pose2 mount{-0.032, 0.0, 0.0};          ///< of the sensor on the robot
+  int beams = 360;                        ///< a turn
+  double angle_min = 0.0;                 ///< bearing of the first beam [rad]
+  double angle_increment = radians(1.0);  ///< to the next one, counter-clockwise [rad]
+  double scan_time = 0.2;                 ///< of a turn [s]
+  double min_range = 0.12;                ///< [m]
+  double max_range = 3.5;                 ///< [m]
+  double clear_range = 3.5;               ///< a beam without a return is clear up to here [m]; 0: it says nothing
+  double noise = 0.005;                   ///< standard deviation of a range, whatever it is [m] ...
+  double noise_per_range = 0.0167;        ///< ... and what it grows by with the range: a third of 15 mm, and of 5 % [m/m]
+};
+
 struct RobotModel {
+  /// Speaks iRobot's Open Interface; a robot that doesn't gives frames by itself, and has no bumper.
+  bool open_interface = true;
   oi::Model protocol = oi::Model::Create2;  ///< the dialect of the Open Interface that it speaks
   double radius = 0.1735;                   ///< of the disc [m]
   DifferentialDrive drive;
-  double max_wheel_speed = 0.5;  ///< [m/s]
+  double max_wheel_speed = 0.5;      ///< [m/s]
+  double max_linear_speed = 0.5;     ///< of the base [m/s]
+  double max_angular_speed = 4.255;  ///< of the base: both wheels at full speed, against each other [rad/s]
   LightSensorModel light;
   BumperModel bumper;
   /// Left, front left, front right, right (create_autonomy) [m].
   std::array<Point2, kCliffSensorCount> cliff_sensors{Point2(0.07, 0.14), Point2(0.15, 0.04), Point2(0.15, -0.04),
                                                       Point2(0.07, -0.14)};
   bool has_light_sensors = true;
+  std::optional<LidarModel> lidar;
 };
 
 }  // namespace scrubjay
