@@ -13,6 +13,7 @@ namespace {
 
 const NumberRange kPositive{0.0, 1e6, true, "a positive number"};
 const NumberRange kNotNegative{0.0, 1e6, false, "a number of 0 or more"};
+const NumberRange kCount{1.0, 100'000.0, false, "a whole number, 1 to 100000"};
 const NumberRange kAngle{-kPi, kPi, false, "an angle in radians, -pi to pi"};
 
 /// A number of the file, and where it goes.
@@ -32,23 +33,53 @@ void read_settings(const YamlField& field, const std::array<Setting, N>& setting
   }
 }
 
-oi::Model read_protocol(const YamlField& field) {
+void read_protocol(const YamlField& field, RobotModel& model) {
+  constexpr std::array<std::pair<std::string_view, oi::Model>, 3> kDialects{
+      {{"create-2", oi::Model::Create2}, {"create-1", oi::Model::Create1}, {"roomba-400", oi::Model::Roomba400}}};
   const std::string name = field.text();
-  if (name == "create-2") return oi::Model::Create2;
-  if (name == "create-1") return oi::Model::Create1;
-  if (name == "roomba-400") return oi::Model::Roomba400;
-  field.fail("create-2, create-1 or roomba-400");
+  model.open_interface = name != "none";
+  if (!model.open_interface) return;
+  for (const auto& [known, dialect] : kDialects) {
+    if (name != known) continue;
+    model.protocol = dialect;
+    return;
+  }
+  field.fail("create-2, create-1 or roomba-400, or none for a robot without an Open Interface");
+}
+
+void read_lidar(const YamlField& field, LidarModel& lidar) {
+  double beams = lidar.beams;
+  lidar.angle_increment = lidar.clear_range = 0.0;
+  read_settings(field, std::array<Setting, 7>{{{"beams", &beams, &kCount},
+                                               {"angle_min", &lidar.angle_min, &kAngle},
+                                               {"angle_increment", &lidar.angle_increment, &kPositive},
+                                               {"scan_time", &lidar.scan_time, &kPositive},
+                                               {"min_range", &lidar.min_range, &kNotNegative},
+                                               {"max_range", &lidar.max_range, &kPositive},
+                                               {"clear_range", &lidar.clear_range, &kNotNegative}}});
+  lidar.beams = static_cast<int>(beams);
+  if (lidar.beams != beams) field.at("beams").fail(kCount.want);
+  if (lidar.min_range >= lidar.max_range) field.fail("a min_range below its max_range");
+  // Not said: all around, and clear as far as it can see.
+  if (!field.has("angle_increment")) lidar.angle_increment = 2.0 * kPi / beams;
+  if (!field.has("clear_range")) lidar.clear_range = lidar.max_range;
+  if ((beams - 1.0) * lidar.angle_increment > 2.0 * kPi) {
+    field.at("angle_increment").fail("beams that don't go around more than once");
+  }
+  if (lidar.clear_range > lidar.max_range) field.at("clear_range").fail("max_range or less");
 }
 
 void read_details(const YamlField& root, sim::RobotSpec& spec) {
   RobotModel& model = spec.model;
   read_settings(root,
-                std::array<Setting, 4>{{{"counts_per_turn", &model.drive.counts_per_turn, &kPositive},
+                std::array<Setting, 6>{{{"counts_per_turn", &model.drive.counts_per_turn, &kPositive},
                                         {"max_wheel_speed", &model.max_wheel_speed, &kPositive},
+                                        {"max_linear_speed", &model.max_linear_speed, &kPositive},
+                                        {"max_angular_speed", &model.max_angular_speed, &kPositive},
                                         {"acceleration", &spec.acceleration, &kPositive},
                                         {"braking", &spec.braking, &kPositive}}},
-                {"protocol", "light", "bumper", "wall", "infrared", "battery"});
-  if (root.has("protocol")) model.protocol = read_protocol(root.at("protocol"));
+                {"protocol", "light", "bumper", "wall", "infrared", "battery", "lidar"});
+  if (root.has("protocol")) read_protocol(root.at("protocol"), model);
   if (root.has("light")) {
     LightSensorModel& light = model.light;
     read_settings(root.at("light"),
@@ -84,6 +115,10 @@ void read_details(const YamlField& root, sim::RobotSpec& spec) {
                                           {"drive_current", &battery.drive_current, &kNotNegative},
                                           {"charge_current", &battery.charge_current, &kNotNegative}}});
   }
+  if (root.has("lidar")) {
+    if (!model.lidar) root.at("lidar").fail("a link 'base_scan' in the URDF, where the lidar is");
+    read_lidar(root.at("lidar"), *model.lidar);
+  }
 }
 
 YamlField read_yaml(const std::filesystem::path& path) {
@@ -103,9 +138,15 @@ void read_range(const YamlField& field, std::string_view key, sim::Range& range)
 sim::RobotSpec read_robot(const std::filesystem::path& urdf) {
   sim::RobotSpec spec;
   read_urdf_body(urdf, spec);
+  RobotModel& model = spec.model;
+  model.max_linear_speed = model.max_angular_speed = 0.0;  // not said
   std::filesystem::path details = urdf;
   details.replace_extension(".yaml");
   if (std::filesystem::exists(details)) read_details(read_yaml(details), spec);
+  if (model.max_linear_speed == 0.0) model.max_linear_speed = model.max_wheel_speed;
+  if (model.max_angular_speed == 0.0) {
+    model.max_angular_speed = 2.0 * model.max_wheel_speed / model.drive.wheel_separation;
+  }
   return spec;
 }
 
@@ -114,13 +155,15 @@ sim::NoiseProfile read_noise(const std::filesystem::path& path, std::string_view
   sim::NoiseProfile noise;
   noise.name = profile;
   read_settings(field,
-                std::array<Setting, 12>{{{"distance_error", &noise.distance_error, &kNotNegative},
+                std::array<Setting, 14>{{{"distance_error", &noise.distance_error, &kNotNegative},
                                          {"mount_error", &noise.mount_error, &kNotNegative},
                                          {"travel_noise", &noise.travel_noise, &kNotNegative},
                                          {"turn_noise", &noise.turn_noise, &kNotNegative},
                                          {"bump_kick", &noise.bump_kick, &kNotNegative},
                                          {"light_noise", &noise.light_noise, &kNotNegative},
                                          {"light_floor_noise", &noise.light_floor_noise, &kNotNegative},
+                                         {"lidar_near_noise", &noise.lidar_near_noise, &kNotNegative},
+                                         {"lidar_noise", &noise.lidar_noise, &kNotNegative},
                                          {"carpet_slip", &noise.carpet_slip, &kNotNegative},
                                          {"push_slip", &noise.push_slip, &kNotNegative},
                                          {"wall_friction", &noise.wall_friction, &kNotNegative},

@@ -116,6 +116,7 @@ void read_urdf_body(const std::filesystem::path& urdf, sim::RobotSpec& spec) {
   read_row(body, {"cliff_left", "cliff_front_left", "cliff_front_right", "cliff_right"},
            [&](std::size_t i, const Pose2& pose) { model.cliff_sensors[i] = pose.position(); });
   if (body.has("wall_sensor")) spec.wall.mount = body.place("wall_sensor");
+  if (body.has("base_scan")) model.lidar.emplace().mount = body.place("base_scan");
   if (body.has("infrared_receiver")) spec.infrared.receiver = body.place("infrared_receiver").position();
 }
 

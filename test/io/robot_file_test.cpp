@@ -85,6 +85,32 @@ TEST_F(RobotFileTest, ReadsTheCreate1) {
   EXPECT_EQ(spec.wall.max_signal, 4095.0);
 }
 
+TEST_F(RobotFileTest, ReadsTheTurtlebot3Burger) {
+  const sim::RobotSpec spec = read_robot(in_tree("urdf/turtlebot3_burger.urdf"));
+  EXPECT_EQ(spec.name, "turtlebot3_burger");
+  EXPECT_FALSE(spec.model.open_interface);
+  EXPECT_FALSE(spec.model.has_light_sensors);
+  EXPECT_EQ(spec.model.radius, 0.105);
+  EXPECT_NEAR(spec.model.drive.wheel_separation, 0.160, 1e-12);
+  EXPECT_EQ(spec.model.drive.wheel_radius, 0.033);
+  EXPECT_EQ(spec.model.drive.counts_per_turn, 4096.0);
+  EXPECT_EQ(spec.model.max_linear_speed, 0.22);
+  EXPECT_EQ(spec.model.max_angular_speed, 2.84);
+  EXPECT_GE(spec.model.max_wheel_speed, 0.5 * 2.84 * 0.160 - 1e-12) << "or it couldn't turn as fast";
+  EXPECT_EQ(spec.mass, 1.0);
+  ASSERT_TRUE(spec.model.lidar);
+  const LidarModel& lidar = *spec.model.lidar;
+  const LidarModel known;
+  EXPECT_EQ(lidar.mount, known.mount);
+  EXPECT_EQ(lidar.beams, known.beams);
+  EXPECT_EQ(lidar.angle_min, known.angle_min);
+  EXPECT_NEAR(lidar.angle_increment, known.angle_increment, 1e-15);
+  EXPECT_EQ(lidar.scan_time, known.scan_time);
+  EXPECT_EQ(lidar.min_range, known.min_range);
+  EXPECT_EQ(lidar.max_range, known.max_range);
+  EXPECT_EQ(lidar.clear_range, known.clear_range);
+}
+
 TEST_F(RobotFileTest, TakesTheBodyFromTheUrdf) {
   const sim::RobotSpec spec = read_robot(write_body(kBody));
   EXPECT_EQ(spec.name, "tiny");
@@ -130,6 +156,88 @@ TEST_F(RobotFileTest, PlacesLinksThroughTheirParents) {
   EXPECT_NEAR(spec.infrared.receiver.y(), 0.03, 1e-9);
 }
 
+/// The tiny robot with a lidar on its back.
+constexpr const char* kLidar = R"(  <link name="base_scan"/>
+  <joint name="base_scan_joint" type="fixed">
+    <parent link="base_link"/><child link="base_scan"/><origin xyz="0.01 -0.02 0.2" rpy="0 0 0.5"/>
+  </joint>
+</robot>)";
+
+TEST_F(RobotFileTest, HasALidarWhereTheUrdfHasALinkForIt) {
+  EXPECT_FALSE(read_robot(write_body(kBody)).model.lidar);
+  const auto urdf = write_changed("</robot>", kLidar);
+  const sim::RobotSpec plain = read_robot(urdf);
+  ASSERT_TRUE(plain.model.lidar);
+  EXPECT_NEAR(plain.model.lidar->mount.x, 0.01, 1e-12);
+  EXPECT_NEAR(plain.model.lidar->mount.y, -0.02, 1e-12);
+  EXPECT_NEAR(plain.model.lidar->mount.yaw, 0.5, 1e-12);
+  EXPECT_EQ(plain.model.lidar->beams, 360) << "an LDS-01, as long as nothing else is said";
+
+  folder_.write("robot.yaml",
+                "lidar: {beams: 541, angle_min: -2.356, angle_increment: 0.0087, scan_time: 0.1, min_range: 0.05,\n"
+                "  max_range: 12, clear_range: 8}\n");
+  const LidarModel lidar = *read_robot(urdf).model.lidar;
+  EXPECT_NEAR(lidar.mount.x, 0.01, 1e-12);
+  EXPECT_EQ(lidar.beams, 541);
+  EXPECT_EQ(lidar.angle_min, -2.356);
+  EXPECT_EQ(lidar.angle_increment, 0.0087);
+  EXPECT_EQ(lidar.scan_time, 0.1);
+  EXPECT_EQ(lidar.min_range, 0.05);
+  EXPECT_EQ(lidar.max_range, 12.0);
+  EXPECT_EQ(lidar.clear_range, 8.0);
+}
+
+TEST_F(RobotFileTest, LidarsLookAllAroundAndTrustTheirRangeUnlessTold) {
+  const auto urdf = write_changed("</robot>", kLidar);
+  folder_.write("robot.yaml", "lidar: {beams: 720, max_range: 6}\n");
+  const LidarModel lidar = *read_robot(urdf).model.lidar;
+  EXPECT_NEAR(lidar.angle_increment, radians(0.5), 1e-15);
+  EXPECT_EQ(lidar.clear_range, 6.0);
+  folder_.write("robot.yaml", "lidar: {clear_range: 0}\n");
+  EXPECT_EQ(read_robot(urdf).model.lidar->clear_range, 0.0) << "no return says nothing";
+}
+
+TEST_F(RobotFileTest, SaysWhatIsWrongWithALidar) {
+  const auto error = [&](const std::string& yaml) {
+    const auto urdf = write_changed("</robot>", kLidar);
+    folder_.write("robot.yaml", "protocol: none\nlidar:\n  " + yaml + "\n");
+    return message_of([&] { read_robot(urdf); });
+  };
+  for (const char* beams : {"0", "-1", "359.5", "1e9", "many"}) {
+    EXPECT_THAT(error(std::string("beams: ") + beams),
+                AllOf(HasSubstr(std::string("robot.yaml:3: lidar.beams is ") + beams),
+                      EndsWith("want a whole number, 1 to 100000")));
+  }
+  EXPECT_THAT(error("angle_min: 4"), HasSubstr("robot.yaml:3: lidar.angle_min is 4"));
+  EXPECT_THAT(error("angle_increment: -0.01"), HasSubstr("lidar.angle_increment is -0.01; want a positive number"));
+  EXPECT_THAT(error("angle_increment: 0.02"),
+              AllOf(HasSubstr("lidar.angle_increment is 0.02"), EndsWith("go around more than once")));
+  EXPECT_THAT(error("scan_time: 0"), HasSubstr("lidar.scan_time is 0; want a positive number"));
+  EXPECT_THAT(error("min_range: -0.1"), HasSubstr("lidar.min_range is -0.1; want a number of 0 or more"));
+  EXPECT_THAT(error("max_range: 0"), HasSubstr("lidar.max_range is 0; want a positive number"));
+  EXPECT_THAT(error("max_range: 0.1"), EndsWith("want a min_range below its max_range"));
+  EXPECT_THAT(error("clear_range: 4"), AllOf(HasSubstr("lidar.clear_range is 4"), EndsWith("max_range or less")));
+  EXPECT_THAT(error("range: 4"), HasSubstr("there is no field 'range' in lidar"));
+  EXPECT_THAT(details_error("lidar: {beams: 360}\n"),
+              AllOf(HasSubstr("robot.yaml:1: lidar is a map"), HasSubstr("base_scan")));
+}
+
+TEST_F(RobotFileTest, TheBaseIsAsFastAsItsWheelsUnlessTold) {
+  const auto urdf = write_body(kBody);
+  EXPECT_EQ(read_robot(urdf).model.max_linear_speed, 0.5);
+  folder_.write("robot.yaml", "max_wheel_speed: 0.4\n");
+  EXPECT_EQ(read_robot(urdf).model.max_linear_speed, 0.4);
+  EXPECT_NEAR(read_robot(urdf).model.max_angular_speed, 5.0, 1e-12);
+  folder_.write("robot.yaml", "max_wheel_speed: 0.4\nmax_linear_speed: 0.3\nmax_angular_speed: 2\n");
+  EXPECT_EQ(read_robot(urdf).model.max_linear_speed, 0.3);
+  EXPECT_EQ(read_robot(urdf).model.max_angular_speed, 2.0);
+  EXPECT_THAT(details_error("max_linear_speed: 0\n"), HasSubstr("max_linear_speed is 0; want a positive number"));
+  EXPECT_THAT(details_error("max_angular_speed: -1\n"), HasSubstr("max_angular_speed is -1; want a positive number"));
+  const sim::RobotSpec roomba = read_robot(in_tree("urdf/roomba_600.urdf"));
+  EXPECT_NEAR(roomba.model.max_linear_speed, sim::RobotSpec().model.max_linear_speed, 1e-12);
+  EXPECT_NEAR(roomba.model.max_angular_speed, sim::RobotSpec().model.max_angular_speed, 1e-3);
+}
+
 TEST_F(RobotFileTest, RefusesWhatIsNoRobot) {
   EXPECT_THAT(message_of([&] { read_robot(folder_ / "nothing.urdf"); }), HasSubstr("nothing.urdf"));
   for (const char* text : {"", "no XML", "<robot", "<robot name='a'/>", "<world/>"}) {
@@ -160,85 +268,13 @@ TEST_F(RobotFileTest, SaysWhichDetailIsWrong) {
   EXPECT_THAT(details_error("protocol: create-2\nwall: {max_range: -1}\n"),
               AllOf(HasSubstr("robot.yaml:2: wall.max_range is -1"), EndsWith("want a positive number")));
   EXPECT_THAT(details_error("acceleration: nan\n"), HasSubstr("robot.yaml:1: acceleration is nan"));
-  EXPECT_THAT(details_error("protocol: create-3\n"), HasSubstr("want create-2, create-1 or roomba-400"));
+  EXPECT_THAT(details_error("protocol: create-3\n"),
+              HasSubstr("want create-2, create-1 or roomba-400, or none for a robot without"));
   EXPECT_THAT(
       details_error("\n\nbraking_force: 1\n"),
       AllOf(HasSubstr("robot.yaml:3: there is no field 'braking_force'"), HasSubstr("did you mean 'braking'?")));
   EXPECT_THAT(details_error("light: [1, 2]\n"), HasSubstr("robot.yaml:1: light is a list"));
   EXPECT_THAT(details_error("light: {gain: [\n"), HasSubstr("robot.yaml:"));
-}
-
-class NoiseFileTest : public RobotFileTest {
- protected:
-  std::string noise_error(const std::string& yaml, std::string_view profile = "mine") const {
-    const auto path = folder_.write("noise.yaml", yaml);
-    return message_of([&] { read_noise(path, profile); });
-  }
-};
-
-TEST_F(NoiseFileTest, ReadsEveryProfileOfTheTree) {
-  for (const char* name : {"none", "hard-floor", "carpet", "uncalibrated"}) {
-    EXPECT_EQ(read_noise(in_tree("urdf/noise.yaml"), name).name, name);
-  }
-  const sim::NoiseProfile none = read_noise(in_tree("urdf/noise.yaml"), "none");
-  EXPECT_EQ(none.travel_noise, 0.0);
-  EXPECT_EQ(none.push_slip, 0.0);
-  EXPECT_EQ(none.grip.low, 1.0);
-  const sim::NoiseProfile carpet = read_noise(in_tree("urdf/noise.yaml"), "carpet");
-  EXPECT_EQ(carpet.travel_noise, 0.0033);
-  EXPECT_EQ(carpet.turn_noise, 0.02);
-  EXPECT_EQ(carpet.grip.low, 0.92);
-  EXPECT_EQ(carpet.grip.high, 0.98);
-  EXPECT_EQ(carpet.carpet_slip, 1.0);
-  EXPECT_EQ(read_noise(in_tree("urdf/noise.yaml"), "uncalibrated").separation_error.high, 0.17);
-}
-
-TEST_F(NoiseFileTest, ReadsEveryField) {
-  const auto path = folder_.write(
-      "noise.yaml",
-      "mine: {wheel_mismatch: [0.01, 0.02], separation_error: [0.03, 0.04], distance_error: 0.05, grip: [0.5, 0.6],\n"
-      "  albedo: [0.7, 0.8], mount_error: 0.09, travel_noise: 0.1, turn_noise: 0.11, bump_kick: 0.12,\n"
-      "  light_noise: 0.13, light_floor_noise: 0.14, carpet_slip: 0.15, push_slip: 0.16, wall_friction: 0.17,\n"
-      "  speed_step: 0.18, speed_deadband: 0.19}\n");
-  const sim::NoiseProfile noise = read_noise(path, "mine");
-  const std::array<double, 20> values{noise.wheel_mismatch.low,
-                                      noise.wheel_mismatch.high,
-                                      noise.separation_error.low,
-                                      noise.separation_error.high,
-                                      noise.distance_error,
-                                      noise.grip.low,
-                                      noise.grip.high,
-                                      noise.albedo.low,
-                                      noise.albedo.high,
-                                      noise.mount_error,
-                                      noise.travel_noise,
-                                      noise.turn_noise,
-                                      noise.bump_kick,
-                                      noise.light_noise,
-                                      noise.light_floor_noise,
-                                      noise.carpet_slip,
-                                      noise.push_slip,
-                                      noise.wall_friction,
-                                      noise.speed_step,
-                                      noise.speed_deadband};
-  EXPECT_THAT(values, ::testing::ElementsAre(0.01, 0.02, 0.03, 0.04, 0.05, 0.5, 0.6, 0.7, 0.8, 0.09, 0.1, 0.11, 0.12,
-                                             0.13, 0.14, 0.15, 0.16, 0.17, 0.18, 0.19));
-}
-
-TEST_F(NoiseFileTest, NamesTheProfilesThatThereAre) {
-  const std::string message = message_of([&] { read_noise(in_tree("urdf/noise.yaml"), "hardfloor"); });
-  EXPECT_THAT(message, AllOf(HasSubstr("there is no noise profile 'hardfloor'; did you mean 'hard-floor'?"),
-                             HasSubstr("known: none, hard-floor, carpet, uncalibrated")));
-}
-
-TEST_F(NoiseFileTest, SaysWhichFieldIsWrong) {
-  EXPECT_THAT(noise_error("mine: {travel_noise: -1}\n"), HasSubstr("noise.yaml:1: mine.travel_noise is -1"));
-  EXPECT_THAT(noise_error("mine:\n  grip: [1.0, 0.9]\n"), HasSubstr("noise.yaml:2: mine.grip"));
-  EXPECT_THAT(noise_error("mine:\n  albedo: 1\n"), HasSubstr("want [low, high]"));
-  EXPECT_THAT(noise_error("mine: {slip: 1}\n"), HasSubstr("there is no field 'slip' in mine"));
-  EXPECT_THAT(noise_error("mine: 3\n"), HasSubstr("noise.yaml:1: mine is 3"));
-  EXPECT_THAT(noise_error(""), HasSubstr("noise.yaml:1"));
-  EXPECT_THAT(message_of([&] { read_noise(folder_ / "absent.yaml", "none"); }), HasSubstr("absent.yaml"));
 }
 
 }  // namespace

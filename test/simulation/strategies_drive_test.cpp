@@ -27,7 +27,7 @@ struct Exploration {
       : world(std::move(scenery)),
         index(solid_segments(world)),
         roomba(world, index, spec, noise, Random(seed).fork(0), *world.start),
-        behavior(make_strategy(strategy, spec.model, Random(seed).fork(1))) {}
+        behavior(make_strategy(strategy, {.robot = spec.model, .random = Random(seed).fork(1)})) {}
 
   Report run(double seconds, std::function<void(const sim::Truth&)> each_tick) {
     struct Watcher final : Observer {
@@ -83,7 +83,7 @@ TEST_P(StrategyDriveTest, DrivesAMinuteWithoutCrossingAWallTheSameForASeed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StrategyDriveTest,
-                         ::testing::Combine(::testing::ValuesIn(strategy_names()),
+                         ::testing::Combine(::testing::ValuesIn(strategy_names(RobotModel{})),
                                             ::testing::Values("none", "hard-floor")));
 
 TEST(StrategyDriveTest, AnotherSeedDrivesAnotherWay) {
