@@ -107,7 +107,7 @@ void EdgeFollow::meet_edge(const Situation& now) {
   if (state_ == State::Done) return;
   const Pose2& pose = now.estimate.pose;
   const double obstacle = pose.yaw + obstacle_bearing(now.frame, robot_);
-  known_ = beside_known_floor(now.map, {pose.position(), robot_.radius, obstacle}, pose.yaw);
+  known_ = !params_.one_edge && beside_known_floor(now.map, {pose.position(), robot_.radius, obstacle}, pose.yaw);
   // Hemmed in, the way out is along the edge; and with its front over a cliff, it must back off first.
   const bool free = last_way_ >= params_.least_drive && now.frame.cliff_flags == 0;
   if (known_ && free && turn_to_unknown(now, obstacle)) return;
@@ -124,6 +124,7 @@ void EdgeFollow::go_round(const Situation& now) {
   if (closure_.update(now.estimate)) {
     if (known_) return leave_edge(now, edge_bearing);
     ++loops_closed_;
+    if (params_.one_edge) return enter(State::Done);
     if (turn_to_unknown(now, edge_bearing)) return;
     known_ = true;  // once more around it, on the look-out
     return begin_edge(now);
@@ -260,6 +261,7 @@ void EdgeFollow::begin_edge(const Situation& now) {
 
 /// Goes where unknown floor is in sight, or else as far away as it can.
 void EdgeFollow::leave_edge(const Situation& now, double obstacle) {
+  if (params_.one_edge) return enter(State::Done);
   if (turn_to_unknown(now, obstacle)) return;
   const Standpoint here{now.estimate.pose.position(), robot_.radius, obstacle};
   turn_to(longest_heading(now.map, here, random_));

@@ -59,7 +59,7 @@ class DrawnMap {
 inline Decision decide(Behavior& behavior, const Frame& frame, const Pose2& pose = {}) {
   PoseEstimate estimate;
   estimate.pose = pose;
-  return behavior.decide({frame, estimate, {}});
+  return behavior.decide({frame, estimate, {}, {}});
 }
 
 }  // namespace scrubjay::test

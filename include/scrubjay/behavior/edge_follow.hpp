@@ -33,8 +33,9 @@ struct EdgeFollowParams {
   double worthwhile = 0.15;           ///< unknown floor that a drive must cross, or it was in vain [m]
   double least_drive = 0.1;           ///< a shorter drive over open floor ends in following what is in the way [m]
   int patience = 8;                   ///< drives in vain, in a row, before it ends
+  bool one_edge = false;              ///< it ends with the first edge: closed, or left because it leads nowhere
   Side preferred_side = Side::Left;
-  LoopClosureParams closure;
+  LoopClosureParams closure{};
 };
 
 /// `edge-follow`: drives to an edge, once around it, and on over unknown floor to the next one.
