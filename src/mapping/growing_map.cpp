@@ -5,12 +5,6 @@
 #include <scrubjay/mapping/growing_map.hpp>
 
 namespace scrubjay {
-namespace {
-
-// A map of this many cells a side is 800 m wide at 5 cm: past it, a pose has gone astray.
-constexpr std::int32_t kMaxSide = 16384;
-
-}  // namespace
 
 GrowingMap::GrowingMap(double resolution) {
   geometry_.resolution = resolution;
@@ -18,7 +12,7 @@ GrowingMap::GrowingMap(double resolution) {
 
 void GrowingMap::cover(const Point2& center, double radius) {
   const double r = geometry_.resolution;
-  const double limit = kMaxSide * r;
+  const double limit = kReach * r;
   if (!(std::fabs(center.x()) < limit && std::fabs(center.y()) < limit)) {
     throw Error("the map can't grow to (" + std::to_string(center.x()) + ", " + std::to_string(center.y()) +
                     "): the pose estimate has gone astray",
@@ -28,9 +22,13 @@ void GrowingMap::cover(const Point2& center, double radius) {
                       static_cast<std::int32_t>(std::floor((center.y() - radius) / r))};
   const CellIndex high{static_cast<std::int32_t>(std::floor((center.x() + radius) / r)) + 1,
                        static_cast<std::int32_t>(std::floor((center.y() + radius) / r)) + 1};
-  const bool inside = !cells_.empty() && low.x >= corner_.x && low.y >= corner_.y &&
-                      high.x <= corner_.x + geometry_.width && high.y <= corner_.y + geometry_.height;
-  if (!inside) grow_to(low, high);
+  cover(CellRect{low, high});
+}
+
+void GrowingMap::cover(const CellRect& cells) {
+  const bool inside = !cells_.empty() && cells.low.x >= corner_.x && cells.low.y >= corner_.y &&
+                      cells.high.x <= corner_.x + geometry_.width && cells.high.y <= corner_.y + geometry_.height;
+  if (!inside) grow_to(cells.low, cells.high);
 }
 
 void GrowingMap::grow_to(CellIndex low, CellIndex high) {

@@ -1,7 +1,9 @@
 // Marking cells, and growing a map, in cells of 5 cm.
 #include <benchmark/benchmark.h>
 
+#include <scrubjay/geometry/random.hpp>
 #include <scrubjay/grid/contact_model.hpp>
+#include <scrubjay/grid/fill_line.hpp>
 #include <scrubjay/grid/traversal.hpp>
 #include <scrubjay/mapping/contact_mapper.hpp>
 #include <scrubjay/mapping/growing_map.hpp>
@@ -103,6 +105,42 @@ void MakeOccupancy(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(map.occupancy().cells.data());
 }
 BENCHMARK(MakeOccupancy)->Unit(benchmark::kMicrosecond);
+
+/// Beams of 0.1 to 5 m from the middle, all around.
+std::vector<Point2> beam_ends() {
+  Random random(1);
+  std::vector<Point2> ends;
+  for (int i = 0; i < 4096; ++i) ends.push_back(random.uniform(0.1, 4.9) * direction(random.uniform(-kPi, kPi)));
+  return ends;
+}
+
+void VisitLine(benchmark::State& state) {
+  const std::vector<Point2> ends = beam_ends();
+  std::vector<std::uint8_t> cells(kGrid.size());
+  for (auto _ : state) {
+    for (const Point2& end : ends)
+      visit_line(kGrid, {0.01, 0.02}, end, [&](CellIndex c) { cells[kGrid.index(c)] = 1; });
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * ends.size()));
+}
+BENCHMARK(VisitLine);
+
+/// The same cells.
+void FillLine(benchmark::State& state) {
+  const std::vector<Point2> ends = beam_ends();
+  std::vector<std::uint8_t> cells(kGrid.size());
+  const auto in_cells = [](const Point2& p) { return Point2((p - kGrid.origin) / kGrid.resolution); };
+  std::vector<LineWalk> walks(ends.size());
+  for (auto _ : state) {
+    const Point2 from = in_cells({0.01, 0.02});
+    for (std::size_t i = 0; i < ends.size(); ++i) walks[i] = line_walk(kGrid.width, from, in_cells(ends[i]));
+    for (const LineWalk& walk : walks) fill_line<std::uint8_t>(walk, cells.data(), 1);
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * ends.size()));
+}
+BENCHMARK(FillLine);
 
 }  // namespace
 }  // namespace scrubjay
