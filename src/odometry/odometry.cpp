@@ -29,6 +29,20 @@ const PoseEstimate& Odometry::update(const WheelTravel& travel, double stamp) {
   return estimate_;
 }
 
+const PoseEstimate& Odometry::advance(const Pose2& step, double stamp) {
+  const double distance = std::sqrt(step.x * step.x + step.y * step.y);
+  const Arc arc{std::copysign(distance, step.x), step.yaw};
+  const double lead = 0.5 * arc.turn * drive_.wheel_separation;
+  const WheelTravel travel{arc.length - lead, arc.length + lead};
+  if (travel.left != 0.0 || travel.right != 0.0) {
+    const SinCos middle = sin_cos(estimate_.pose.yaw + 0.5 * arc.turn);
+    propagate(travel, middle.sin, middle.cos);
+    estimate_.pose = estimate_.pose * step;
+  }
+  update_twist(travel, stamp);
+  return estimate_;
+}
+
 void Odometry::propagate(const WheelTravel& travel, double middle_sin, double middle_cos) {
   const double length = 0.5 * (travel.right + travel.left);
   const double dx = -length * middle_sin;  // how position moves with heading

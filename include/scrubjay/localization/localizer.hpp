@@ -2,6 +2,7 @@
 /// Frames to a pose with covariance.
 #pragma once
 
+#include <optional>
 #include <scrubjay/geometry/pose_estimate.hpp>
 #include <scrubjay/odometry/odometry.hpp>
 #include <scrubjay/robot/frame.hpp>
@@ -15,7 +16,7 @@ class Localizer {
   virtual const PoseEstimate& update(const Frame& frame) = 0;
 };
 
-/// Trusts the wheels alone.
+/// Trusts the wheels alone, or the robot's own odometry where frames tell that.
 class DeadReckoning final : public Localizer {
  public:
   explicit DeadReckoning(const DifferentialDrive& drive, const WheelNoise& noise = {}) : odometry_(drive, noise) {}
@@ -24,6 +25,7 @@ class DeadReckoning final : public Localizer {
 
  private:
   Odometry odometry_;
+  std::optional<Pose2> last_odometry_;
 };
 
 }  // namespace scrubjay

@@ -53,8 +53,12 @@ struct LidarModel {
   double min_range = 0.12;                ///< [m]
   double max_range = 3.5;                 ///< [m]
   double clear_range = 3.5;               ///< a beam without a return is clear up to here [m]; 0: it says nothing
-  double noise = 0.005;                   ///< standard deviation of a range, whatever it is [m] ...
-  double noise_per_range = 0.0167;        ///< ... and what it grows by with the range: a third of 15 mm, and of 5 % [m/m]
+  double near_accuracy = 0.015;           ///< largest error of a range below 0.5 m [m]
+  double accuracy = 0.05;                 ///< the same from there on, as a share of the range
+  /// How ranges err, for those who weigh them: standard deviation [m], and what it grows by with the range [m/m].
+  /// Gazebo's model of the robot has a flat 1 cm.
+  double noise = 0.01;
+  double noise_per_range = 0.0;
 };
 
 struct RobotModel {

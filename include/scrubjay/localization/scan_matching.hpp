@@ -1,0 +1,91 @@
+/// \file
+/// Keeps a lidar's pose by laying each scan over the map so far.
+#pragma once
+
+#include <scrubjay/localization/correlative_search.hpp>
+#include <scrubjay/localization/likelihood_field.hpp>
+#include <scrubjay/localization/localizer.hpp>
+#include <scrubjay/localization/scan_alignment.hpp>
+#include <scrubjay/localization/surface_map.hpp>
+#include <scrubjay/mapping/mapper.hpp>
+#include <scrubjay/mapping/scan_points.hpp>
+#include <scrubjay/robot/robot_model.hpp>
+
+namespace scrubjay {
+
+/// How far odometry may be off between two scans, by what it tells: standard deviations (Thrun, Burgard, Fox,
+/// *Probabilistic Robotics*, table 5.6). Several times what wheels err by on a hard floor, since their errors are not
+/// random but go on: the more weight they had, the more of them would seep into the map.
+struct MotionNoise {
+  double way_per_way = 0.07;            ///< of the position, by the way driven [m/m]
+  double way_per_turn = 0.005;          ///< of the position, by the turn [m/rad]
+  double turn_per_turn = 0.2;           ///< of the heading, by the turn [rad/rad]
+  double turn_per_way = radians(10.0);  ///< of the heading, by the way driven [rad/m]
+};
+
+/// Our own choices, tried on the worlds of this repository with an LDS-01 and on the logs of Intel's lab and of
+/// Freiburg's building 079 with a SICK LMS.
+struct ScanMatchingParams {
+  double window = 0.4;                  ///< searched around the guess, either way, at most [m]
+  double window_angle = radians(20.0);  ///< searched around the guess, either way, at most [rad]
+  double max_range = 20.0;              ///< beams that end farther away aren't used [m]
+  double min_travel = 0.01;             ///< a scan is matched after this way since the last match ... [m]
+  double min_turn = radians(0.5);       ///< ... or this turn [rad]
+  int search_beams = 120;               ///< of a scan that the search looks at, about, evenly spread
+  double beam_weight = 1.0;             ///< of the search: see CorrelativeSearch [nats]
+  double end_noise = 0.005;             ///< of a beam's end, on top of the lidar's own: what the map blurs [m]
+  double min_support = 30.0;            ///< beams on surfaces that make a match ...
+  double min_share = 0.3;               ///< ... if they are this share of those that end where the map knows anything
+  double doubtful_share = 0.7;          ///< with a share below this, the wheels may have slipped: the whole window ...
+  double slip_gain = 1.2;               ///< ... is searched, and must support the match this many times better
+  MotionNoise motion;
+  ScanAlignmentParams alignment;
+};
+
+/// Dead reckoning between scans; each scan is matched with the map that was made of those before. A correlative search
+/// (CorrelativeSearch) over what odometry allows finds the right hill, an alignment (ScanAligner) its top. Odometry and
+/// scan are weighed by what each of them knows: along a bare corridor, odometry has the say. The covariance is that of
+/// both together, in the map: how far the map itself has drifted since its beginning, no scan of it can tell.
+///
+/// The first scan defines the map; scans with too little in common with it are let go by. While the robot stands,
+/// nothing is matched, so nothing drifts.
+class ScanMatching final : public Localizer {
+ public:
+  /// `mapper` must outlive it, and be updated after each frame with this localizer's pose. Throws Error for a robot
+  /// without a lidar.
+  ScanMatching(const RobotModel& robot, const Mapper& mapper, const ScanMatchingParams& params = {});
+
+  const PoseEstimate& update(const Frame& frame) override;
+
+ private:
+  void reckon(const Frame& frame);
+  void match(const Frame& frame);
+  void take(const Frame& frame);
+  bool lay_over_map();
+  ScanAlignment match_within(const Eigen::Matrix3d& covariance);
+  int count_known(GridView<const LogOdds> map) const;
+  void anchor();
+  void remember();
+
+  const Mapper& mapper_;
+  ScanMatchingParams params_;
+  LidarModel lidar_;
+  DeadReckoning odometry_;
+  ScanPoints scan_points_;
+  LikelihoodField field_;
+  SurfaceMap surfaces_;
+  CorrelativeSearch search_;
+  ScanAligner aligner_;
+  std::vector<ScanEnd> ends_;        // of the scan at hand, in the robot's frame
+  std::vector<Point2> search_ends_;  // some of them
+
+  PoseEstimate estimate_;
+  PoseEstimate anchor_;  // at the last match
+  Pose2 odometry_at_anchor_;
+  Pose2 last_odometry_;
+  double way_ = 0.0;      // driven since the last match [m]
+  double turn_ = 0.0;     // turned since the last match, whichever way [rad]
+  bool started_ = false;  // there was a scan
+};
+
+}  // namespace scrubjay
