@@ -85,6 +85,7 @@ void CostMap::start_over(const GridGeometry& geometry) {
   }
   obstacles_.assign(geometry.size(), params_.through_unknown ? 0 : kObstacle);
   costs_.assign(geometry.size(), params_.through_unknown ? TravelCost{0} : kNoWay);
+  fence_off(cells_of(geometry));
 }
 
 /// Moves what is known to where the map has it now. Returns the cells that may have obstacles near that they had not.
@@ -125,6 +126,16 @@ CellRect CostMap::take_classes(GridView<const LogOdds> map, const CellRect& rect
 void CostMap::recompute(const CellRect& rect) {
   for (std::int32_t y = rect.low.y; y < rect.high.y; y += kBandHeight) {
     recompute_band({{rect.low.x, y}, {rect.high.x, std::min(rect.high.y, y + kBandHeight)}});
+  }
+  fence_off(rect);
+}
+
+void CostMap::fence_off(const CellRect& rect) {
+  if (!params_.within) return;
+  for (std::int32_t y = rect.low.y; y < rect.high.y; ++y) {
+    for (std::int32_t x = rect.low.x; x < rect.high.x; ++x) {
+      if (!params_.within->contains(geometry_.center({x, y}))) costs_[geometry_.index({x, y})] = kNoWay;
+    }
   }
 }
 

@@ -104,5 +104,25 @@ TEST(EdgeFollowTest, EndsAfterSoManyDrivesInVain) {
   EXPECT_EQ(backed_off, 2) << "the third ends it";
 }
 
+TEST(EdgeFollowTest, OfOneEdgeItEndsWhereItWouldLeaveIt) {
+  EdgeFollowParams params;
+  params.one_edge = true;
+  EdgeFollow behavior = strategy(params);
+  decide(behavior, lit_frame(LightSensor::FrontLeft, 0.03));
+  decide(behavior, lit_frame(LightSensor::Left, 0.065));
+  EXPECT_FALSE(decide(behavior, lit_frame(LightSensor::Left, 0.065)).done);
+  // Once around a square room, to the right.
+  Pose2 pose;
+  bool done = false;
+  for (int i = 0; i < 2000 && !done; ++i) {
+    if (i % 200 == 199) pose.yaw = wrap_angle(pose.yaw - kPi / 2.0);
+    pose = pose * Pose2{0.005, 0.0, 0.0};
+    done = decide(behavior, lit_frame(LightSensor::Left, 0.065), pose).done;
+  }
+  EXPECT_TRUE(done);
+  EXPECT_EQ(behavior.loops_closed(), 1);
+  EXPECT_LT(pose.position().norm(), 0.2);
+}
+
 }  // namespace
 }  // namespace scrubjay::test

@@ -170,6 +170,21 @@ TEST(CostMapTest, NarrowestGapsThatAreDocumented) {
   EXPECT_TRUE(passes(roomba(), 13));  // a door of 0.75 m, with a cell lost on either side
 }
 
+TEST(CostMapTest, ThereIsNoWayOutOfBounds) {
+  for (CostMapParams params : {burger(), roomba(true)}) {
+    const DrawnMap map({"......", "......", "......", "......", "......"}, 0.05);
+    const CostMap open = built(map.view(), params);
+    params.within = Bounds2{{0.1, 0.05}, {0.2, 0.2}};
+    const CostMap fenced = built(map.view(), params);
+    for (std::int32_t y = 0; y < 5; ++y) {
+      for (std::int32_t x = 0; x < 6; ++x) {
+        const bool inside = x >= 2 && x < 4 && y >= 1 && y < 4;
+        EXPECT_EQ((fenced.view()[{x, y}]), (inside ? open.view()[{x, y}] : kNoWay)) << x << ", " << y;
+      }
+    }
+  }
+}
+
 TEST(CostMapTest, TakesAnEmptyMapAndOneThatBegins) {
   CostMap costs(burger());
   EXPECT_TRUE(costs.update({{0.05, {0.0, 0.0}, 0, 0}, nullptr}, {}).empty());

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <scrubjay/geometry/bounds.hpp>
 #include <scrubjay/grid/cell_rect.hpp>
 #include <scrubjay/grid/log_odds.hpp>
 #include <vector>
@@ -16,11 +18,12 @@ inline constexpr TravelCost kNoWay = 255;
 inline constexpr double kCostUnit = 32.0;
 
 struct CostMapParams {
-  double radius = 0.105;         ///< of the disc [m]
-  double margin = 0.02;          ///< kept free around it besides [m]
-  double comfort = 0.25;         ///< beyond the margin, obstacles make floor dearer up to here [m]
-  double dearness = 4.0;         ///< ... by this factor where it is dearest, right at the margin; 1 to 7
-  bool through_unknown = false;  ///< unknown floor may be driven over (a robot that feels its way) or not
+  double radius = 0.105;            ///< of the disc [m]
+  double margin = 0.02;             ///< kept free around it besides [m]
+  double comfort = 0.25;            ///< beyond the margin, obstacles make floor dearer up to here [m]
+  double dearness = 4.0;            ///< ... by this factor where it is dearest, right at the margin; 1 to 7
+  std::optional<Bounds2> within{};  ///< floor to stay on, in the map's frame; there is no way outside
+  bool through_unknown = false;     ///< unknown floor may be driven over (a robot that feels its way) or not
 };
 
 /// Follows a map that changes and grows. Obstacles are the cells that are occupied (trinary), and the unknown ones
@@ -51,6 +54,7 @@ class CostMap {
   CellRect follow(const GridGeometry& geometry);
   CellRect take_classes(GridView<const LogOdds> map, const CellRect& rect);
   void recompute(const CellRect& rect);
+  void fence_off(const CellRect& rect);
   void recompute_band(const CellRect& band);
   void sum_up_columns(const CellRect& band, std::int32_t left, std::int32_t width);
 
