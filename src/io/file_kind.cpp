@@ -3,6 +3,7 @@
 #include <string>
 
 #include "file_content.hpp"
+#include "gzip.hpp"
 
 namespace scrubjay {
 namespace {
@@ -11,6 +12,15 @@ bool has_key(std::string_view text, std::string_view key) {
   for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
     const bool begins_line = at == 0 || text[at - 1] == '\n';
     if (begins_line && at + key.size() < text.size() && text[at + key.size()] == ':') return true;
+  }
+  return false;
+}
+
+/// A line that begins with this word.
+bool has_record(std::string_view text, std::string_view word) {
+  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    const bool begins_line = at == 0 || text[at - 1] == '\n';
+    if (begins_line && at + word.size() < text.size() && text[at + word.size()] == ' ') return true;
   }
   return false;
 }
@@ -41,6 +51,8 @@ std::string_view to_string(FileKind kind) {
       return "URDF robot";
     case FileKind::Trajectory:
       return "trajectory";
+    case FileKind::CarmenLog:
+      return "CARMEN log";
     case FileKind::Unknown:
       return "unknown";
   }
@@ -49,9 +61,12 @@ std::string_view to_string(FileKind kind) {
 
 FileKind file_kind(const std::filesystem::path& path) {
   const std::vector<std::uint8_t> file = read_file(path);
-  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  std::string content;
+  if (text.starts_with("\x1f\x8b")) text = content = unpacked(file, path.string());
   if (text.starts_with("\x89OILOG")) return FileKind::Recording;
   if (text.starts_with("\x89PNG") || text.starts_with("P5") || text.starts_with("P2")) return FileKind::Image;
+  if (has_record(text, "FLASER")) return FileKind::CarmenLog;
   if (text.find("<robot") != text.npos) return FileKind::Urdf;
   if (text.find("\"verts\"") != text.npos) return FileKind::HouseExpoPlan;
   if (has_key(text, "image")) return FileKind::MapYaml;

@@ -118,6 +118,7 @@ void draw_marks(Canvas& canvas, const MapPicture& picture, const Projection& to_
   if (picture.dock) draw_dock(canvas, to_page(*picture.dock), std::max(0.3 * to_page.pixels_per_metre, 18.0));
   if (picture.start) draw_start(canvas, to_page(*picture.start), std::clamp(radius, 14.0, 26.0));
   for (const Point2& bump : picture.bumps) draw_bump(canvas, to_page(bump), 8.0);
+  for (const Point2& left : picture.left) draw_left(canvas, to_page(left), 13.0);
   if (picture.robot) draw_robot(canvas, to_page(*picture.robot), radius);
   for (const Point2& stuck : picture.stuck) draw_stuck(canvas, to_page(stuck), 22.0);
 }

@@ -48,6 +48,7 @@ std::vector<LegendItem> legend_of(const MapPicture& picture) {
                                       canvas.draw_polyline(line, 3.0, style::kTrueWall);
                                     }});
   add(!picture.bumps.empty(), {"bump", [](Canvas& canvas, const Point2& at) { draw_bump(canvas, at, 9.0); }});
+  add(!picture.left.empty(), {"left", [](Canvas& canvas, const Point2& at) { draw_left(canvas, at, 11.0); }});
   add(!picture.stuck.empty(), {"stuck", [](Canvas& canvas, const Point2& at) { draw_stuck(canvas, at, 18.0); }});
   add(picture.start.has_value(), {"start", [](Canvas& canvas, const Point2& at) {
                                     draw_start(canvas, {at - Point2{3.0, 0.0}, 0.0}, 15.0);

@@ -20,6 +20,7 @@ inline constexpr Color kStart{42, 145, 98};
 inline constexpr Color kDock{96, 66, 140};
 inline constexpr Color kBump{206, 43, 55};
 inline constexpr Color kStuck{250, 190, 38};
+inline constexpr Color kLeft{178, 60, 152};
 inline constexpr Color kWhite{255, 255, 255};
 
 }  // namespace scrubjay::style

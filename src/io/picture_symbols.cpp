@@ -55,6 +55,14 @@ void draw_bump(Canvas& canvas, const Point2& at, double size) {
   }
 }
 
+void draw_left(Canvas& canvas, const Point2& at, double size) {
+  const double half = size / 2.0;
+  const std::array<Point2, 5> diamond{at + Point2{0.0, -half}, at + Point2{half, 0.0}, at + Point2{0.0, half},
+                                      at + Point2{-half, 0.0}, at + Point2{0.0, -half}};
+  canvas.draw_polyline(diamond, 4.5, faded(style::kWhite, 0.8));
+  canvas.draw_polyline(diamond, 2.4, style::kLeft);
+}
+
 void draw_stuck(Canvas& canvas, const Point2& at, double size) {
   const double half = 0.58 * size;
   const std::array<Point2, 3> sign{at + Point2{0.0, -0.6 * size}, at + Point2{half, 0.45 * size},

@@ -20,6 +20,7 @@ void draw_robot(Canvas& canvas, const CanvasPose& pose, double radius);
 void draw_start(Canvas& canvas, const CanvasPose& pose, double size);
 void draw_dock(Canvas& canvas, const CanvasPose& face, double width);
 void draw_bump(Canvas& canvas, const Point2& at, double size);
+void draw_left(Canvas& canvas, const Point2& at, double size);
 void draw_stuck(Canvas& canvas, const Point2& at, double size);
 
 }  // namespace scrubjay

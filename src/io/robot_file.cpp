@@ -50,13 +50,15 @@ void read_protocol(const YamlField& field, RobotModel& model) {
 void read_lidar(const YamlField& field, LidarModel& lidar) {
   double beams = lidar.beams;
   lidar.angle_increment = lidar.clear_range = 0.0;
-  read_settings(field, std::array<Setting, 7>{{{"beams", &beams, &kCount},
+  read_settings(field, std::array<Setting, 9>{{{"beams", &beams, &kCount},
                                                {"angle_min", &lidar.angle_min, &kAngle},
                                                {"angle_increment", &lidar.angle_increment, &kPositive},
                                                {"scan_time", &lidar.scan_time, &kPositive},
                                                {"min_range", &lidar.min_range, &kNotNegative},
                                                {"max_range", &lidar.max_range, &kPositive},
-                                               {"clear_range", &lidar.clear_range, &kNotNegative}}});
+                                               {"clear_range", &lidar.clear_range, &kNotNegative},
+                                               {"near_accuracy", &lidar.near_accuracy, &kNotNegative},
+                                               {"accuracy", &lidar.accuracy, &kNotNegative}}});
   lidar.beams = static_cast<int>(beams);
   if (lidar.beams != beams) field.at("beams").fail(kCount.want);
   if (lidar.min_range >= lidar.max_range) field.fail("a min_range below its max_range");
@@ -162,7 +164,7 @@ sim::NoiseProfile read_noise(const std::filesystem::path& path, std::string_view
                                          {"bump_kick", &noise.bump_kick, &kNotNegative},
                                          {"light_noise", &noise.light_noise, &kNotNegative},
                                          {"light_floor_noise", &noise.light_floor_noise, &kNotNegative},
-                                         {"lidar_near_noise", &noise.lidar_near_noise, &kNotNegative},
+                                         {"lidar_noise_share", &noise.lidar_noise_share, &kNotNegative},
                                          {"lidar_noise", &noise.lidar_noise, &kNotNegative},
                                          {"carpet_slip", &noise.carpet_slip, &kNotNegative},
                                          {"push_slip", &noise.push_slip, &kNotNegative},

@@ -26,6 +26,44 @@ Json pose_json(const Pose2& pose) {
   return {{"x", rounded(pose.x)}, {"y", rounded(pose.y)}, {"theta", rounded(pose.yaw)}};
 }
 
+Json leftovers_json(const std::vector<Leftover>& leftovers) {
+  Json list = Json::array();
+  for (const Leftover& left : leftovers) {
+    list.push_back({{"x", rounded(left.where.x())},
+                    {"y", rounded(left.where.y())},
+                    {"size_m", rounded(left.size)},
+                    {"why", left.why}});
+  }
+  return list;
+}
+
+Json statistics_json(const ErrorStatistics& error) {
+  return {{"mean", rounded(error.mean)}, {"std", rounded(error.deviation)}, {"max", rounded(error.max)}};
+}
+
+void add_reference(Json& json, const LogReference& reference) {
+  json["ate_m"] = rounded(reference.error.ate);
+  json["final_error_m"] = rounded(reference.error.final_distance);
+  json["final_heading_error_rad"] = rounded(reference.error.final_heading);
+  if (const auto& error = reference.relations) {
+    json["relations"] = {{"relations", error->relations},
+                         {"matched", error->matched},
+                         {"clock_offset_s", rounded(error->offset)},
+                         {"translation_m", statistics_json(error->translation)},
+                         {"translation_squared_m2", statistics_json(error->translation_squared)},
+                         {"rotation_rad", statistics_json(error->rotation)},
+                         {"rotation_squared_rad2", statistics_json(error->rotation_squared)}};
+  }
+  json["log"] = reference.log;
+  json["poses"] = reference.poses;
+}
+
+std::string title_of(const RunResult& run) {
+  if (run.reference) return fmt::format("{}, {}", run.reference->log, run.reference->poses);
+  const std::string world = std::filesystem::path(run.scenario.world).stem().string();
+  return world.empty() ? run.scenario.strategy : fmt::format("{}, {}", world, run.scenario.strategy);
+}
+
 std::string timing_json(const RunResult& run) {
   const double time = run.report.time;
   const Json json{{"wall_time_s", rounded(run.wall_time)},
@@ -43,12 +81,12 @@ Image picture_of(const RunResult& run) {
   picture.start = Pose2{};
   for (const Pose2& bump : run.bumps) picture.bumps.push_back(bump * Point2(run.robot_radius, 0.0));
   if (run.report.stuck) picture.stuck.push_back(*run.report.stuck);
+  for (const Leftover& left : run.report.leftovers) picture.left.push_back(left.where);
   if (run.truth) {
     picture.true_walls = run.truth->walls;
     picture.dock = run.truth->dock;
   }
-  const std::string world = std::filesystem::path(run.scenario.world).stem().string();
-  picture.title = world.empty() ? run.scenario.strategy : fmt::format("{}, {}", world, run.scenario.strategy);
+  picture.title = title_of(run);
   return draw_map(picture);
 }
 
@@ -61,8 +99,10 @@ std::string metrics_json(const RunResult& run) {
   json["simulated_time_s"] = rounded(run.report.time);
   json["distance_m"] = rounded(run.report.distance);
   json["bumps"] = run.report.bumps;
+  if (run.truth && !run.truth->trajectory.empty()) json["contacts"] = run.truth->contacts;
   json["pose"] = pose_json(run.report.pose);
   if (run.report.stuck) json["stuck"] = {{"x", rounded(run.report.stuck->x())}, {"y", rounded(run.report.stuck->y())}};
+  json["left"] = leftovers_json(run.report.leftovers);
   if (run.truth) {
     const MapScore& score = run.truth->score;
     json["coverage"] = rounded(score.coverage);
@@ -77,7 +117,12 @@ std::string metrics_json(const RunResult& run) {
       json["final_heading_error_rad"] = rounded(run.truth->error.final_heading);
     }
   }
+  if (run.reference) {
+    add_reference(json, *run.reference);
+    return json.dump(2) + "\n";
+  }
   json["strategy"] = run.scenario.strategy;
+  json["localizer"] = run.scenario.localizer;
   json["model"] = run.scenario.model;
   json["noise"] = run.scenario.noise;
   json["seed"] = run.scenario.seed;
@@ -94,7 +139,11 @@ void write_run(const std::filesystem::path& folder, const RunResult& run) {
   if (run.truth && !run.truth->trajectory.empty()) {
     files.add(folder / "ground_truth.tum", trajectory_text(run.truth->trajectory));
   }
-  files.add(folder / "scenario.yaml", scenario_text(run.scenario));
+  if (run.reference) {
+    files.add(folder / "reference.tum", trajectory_text(run.reference->trajectory));
+  } else {
+    files.add(folder / "scenario.yaml", scenario_text(run.scenario));
+  }
   files.add(folder / "timing.json", timing_json(run));
   files.add(folder / "metrics.json", metrics_json(run));
   files.commit();

@@ -32,24 +32,55 @@ std::uint64_t read_seed(const YamlField& field) {
   return seed;
 }
 
+void read_exploration(const YamlField& root, Scenario& scenario) {
+  if (root.has("within")) {
+    const YamlField field = root.at("within");
+    const std::string_view wanted = "[x0, y0, x1, y1] in metres, the lower left corner first";
+    const std::vector<double> ends = field.numbers(4, {-kWorldExtent, kWorldExtent}, wanted);
+    if (!(ends[0] < ends[2] && ends[1] < ends[3])) field.fail(wanted);
+    scenario.within = Bounds2{{ends[0], ends[1]}, {ends[2], ends[3]}};
+  }
+  if (root.has("return_home")) scenario.return_home = root.at("return_home").boolean();
+  if (root.has("motion_distortion")) scenario.motion_distortion = root.at("motion_distortion").boolean();
+  if (root.has("forward_cone")) {
+    scenario.forward_cone = root.at("forward_cone").number({0.0, 3.1416, true, "an angle in radians, up to pi"});
+  }
+  if (root.has("robot_radius")) {
+    scenario.robot_radius = root.at("robot_radius").number({0.0, 1.0, false, "a radius from 0 to 1 m"});
+  }
+}
+
 }  // namespace
 
 std::string scenario_text(const Scenario& scenario) {
-  std::string text = fmt::format("world: {}\nmodel: {}\nstrategy: {}\nnoise: {}\nseed: {}\n", quoted(scenario.world),
-                                 quoted(scenario.model), scenario.strategy, scenario.noise, scenario.seed);
+  std::string text = fmt::format("world: {}\nmodel: {}\n", quoted(scenario.world), quoted(scenario.model));
+  if (!scenario.strategy.empty()) text += fmt::format("strategy: {}\n", scenario.strategy);
+  if (!scenario.localizer.empty()) text += fmt::format("localizer: {}\n", scenario.localizer);
+  text += fmt::format("noise: {}\nseed: {}\n", scenario.noise, scenario.seed);
   if (scenario.start) {
     text += fmt::format("start: [{}, {}, {}]\n", scenario.start->x, scenario.start->y, scenario.start->yaw);
   }
-  return text + fmt::format("resolution: {}\nmax_time: {}\n", scenario.resolution, scenario.max_time);
+  text += fmt::format("resolution: {}\nmax_time: {}\n", scenario.resolution, scenario.max_time);
+  if (scenario.within) {
+    const auto& [low, high] = *scenario.within;
+    text += fmt::format("within: [{}, {}, {}, {}]\n", low.x(), low.y(), high.x(), high.y());
+  }
+  if (scenario.return_home) text += "return_home: true\n";
+  if (scenario.motion_distortion) text += "motion_distortion: true\n";
+  if (scenario.forward_cone) text += fmt::format("forward_cone: {}\n", *scenario.forward_cone);
+  if (scenario.robot_radius) text += fmt::format("robot_radius: {}\n", *scenario.robot_radius);
+  return text;
 }
 
 Scenario parse_scenario(const std::string& text, const std::string& file) {
   const YamlField root = YamlField::parse(text, file);
-  root.expect_keys({"world", "model", "strategy", "noise", "seed", "start", "resolution", "max_time"});
+  root.expect_keys({"world", "model", "strategy", "localizer", "noise", "seed", "start", "resolution", "max_time",
+                    "within", "return_home", "motion_distortion", "forward_cone", "robot_radius"});
   Scenario scenario;
   if (root.has("world")) scenario.world = root.at("world").text();
   if (root.has("model")) scenario.model = root.at("model").text();
   if (root.has("strategy")) scenario.strategy = root.at("strategy").text();
+  if (root.has("localizer")) scenario.localizer = root.at("localizer").text();
   if (root.has("noise")) scenario.noise = root.at("noise").text();
   if (root.has("seed")) scenario.seed = read_seed(root.at("seed"));
   if (root.has("start")) {
@@ -63,6 +94,7 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   if (root.has("max_time")) {
     scenario.max_time = root.at("max_time").number({0.0, 1e7, true, "a positive number of seconds"});
   }
+  read_exploration(root, scenario);
   return scenario;
 }
 

@@ -29,15 +29,13 @@ TEST_F(NoiseFileTest, ReadsEveryProfileOfTheTree) {
   for (const char* name : {"none", "hard-floor", "carpet", "uncalibrated"}) {
     EXPECT_EQ(read_noise(in_tree("urdf/noise.yaml"), name).name, name);
   }
-  for (const char* name : {"hard-floor", "carpet", "uncalibrated"}) {
-    EXPECT_EQ(read_noise(in_tree("urdf/noise.yaml"), name).lidar_near_noise, 0.005) << name;
-    EXPECT_EQ(read_noise(in_tree("urdf/noise.yaml"), name).lidar_noise, 0.0167) << name;
-  }
+  EXPECT_EQ(read_noise(in_tree("urdf/noise.yaml"), "hard-floor").lidar_noise, 0.01);
+  EXPECT_EQ(read_noise(in_tree("urdf/noise.yaml"), "carpet").lidar_noise_share, 0.0167);
   const sim::NoiseProfile none = read_noise(in_tree("urdf/noise.yaml"), "none");
   EXPECT_EQ(none.travel_noise, 0.0);
   EXPECT_EQ(none.push_slip, 0.0);
   EXPECT_EQ(none.lidar_noise, 0.0);
-  EXPECT_EQ(none.lidar_near_noise, 0.0);
+  EXPECT_EQ(none.lidar_noise_share, 0.0);
   EXPECT_EQ(none.grip.low, 1.0);
   const sim::NoiseProfile carpet = read_noise(in_tree("urdf/noise.yaml"), "carpet");
   EXPECT_EQ(carpet.travel_noise, 0.0033);
@@ -54,7 +52,7 @@ TEST_F(NoiseFileTest, ReadsEveryField) {
       "mine: {wheel_mismatch: [0.01, 0.02], separation_error: [0.03, 0.04], distance_error: 0.05, grip: [0.5, 0.6],\n"
       "  albedo: [0.7, 0.8], mount_error: 0.09, travel_noise: 0.1, turn_noise: 0.11, bump_kick: 0.12,\n"
       "  light_noise: 0.13, light_floor_noise: 0.14, carpet_slip: 0.15, push_slip: 0.16, wall_friction: 0.17,\n"
-      "  speed_step: 0.18, speed_deadband: 0.19, lidar_near_noise: 0.2, lidar_noise: 0.21}\n");
+      "  speed_step: 0.18, speed_deadband: 0.19, lidar_noise: 0.2, lidar_noise_share: 0.21}\n");
   const sim::NoiseProfile noise = read_noise(path, "mine");
   const std::array<double, 22> values{noise.wheel_mismatch.low,
                                       noise.wheel_mismatch.high,
@@ -76,8 +74,8 @@ TEST_F(NoiseFileTest, ReadsEveryField) {
                                       noise.wall_friction,
                                       noise.speed_step,
                                       noise.speed_deadband,
-                                      noise.lidar_near_noise,
-                                      noise.lidar_noise};
+                                      noise.lidar_noise,
+                                      noise.lidar_noise_share};
   EXPECT_THAT(values, ::testing::ElementsAre(0.01, 0.02, 0.03, 0.04, 0.05, 0.5, 0.6, 0.7, 0.8, 0.09, 0.1, 0.11, 0.12,
                                              0.13, 0.14, 0.15, 0.16, 0.17, 0.18, 0.19, 0.2, 0.21));
 }
@@ -93,7 +91,7 @@ TEST_F(NoiseFileTest, SaysWhichFieldIsWrong) {
   EXPECT_THAT(noise_error("mine:\n  grip: [1.0, 0.9]\n"), HasSubstr("noise.yaml:2: mine.grip"));
   EXPECT_THAT(noise_error("mine:\n  albedo: 1\n"), HasSubstr("want [low, high]"));
   EXPECT_THAT(noise_error("mine:\n  lidar_noise: -0.1\n"), HasSubstr("noise.yaml:2: mine.lidar_noise is -0.1"));
-  EXPECT_THAT(noise_error("mine:\n  lidar_near_noise: a\n"), HasSubstr("noise.yaml:2: mine.lidar_near_noise is a"));
+  EXPECT_THAT(noise_error("mine:\n  lidar_noise_share: a\n"), HasSubstr("noise.yaml:2: mine.lidar_noise_share is a"));
   EXPECT_THAT(noise_error("mine: {slip: 1}\n"), HasSubstr("there is no field 'slip' in mine"));
   EXPECT_THAT(noise_error("mine: 3\n"), HasSubstr("noise.yaml:1: mine is 3"));
   EXPECT_THAT(noise_error(""), HasSubstr("noise.yaml:1"));

@@ -29,6 +29,15 @@ TEST(ScenarioFileTest, ReadsWhatItWrites) {
     }
     scenario.resolution = random.uniform(0.005, 1.0);
     scenario.max_time = random.uniform(1.0, 1e6);
+    if (i % 3 == 0) {
+      const Point2 low{random.uniform(-50.0, 0.0), random.uniform(-50.0, 0.0)};
+      scenario.within = Bounds2{low, low + Point2(random.uniform(0.1, 9.0), random.uniform(0.1, 9.0))};
+    }
+    scenario.return_home = i % 5 == 0;
+    scenario.motion_distortion = i % 7 == 0;
+    if (i % 4 == 0) scenario.forward_cone = random.uniform(0.01, kPi);
+    if (i % 6 == 0) scenario.robot_radius = random.uniform(0.0, 1.0);
+    if (i % 8 == 0) scenario.localizer = "odometry";
     EXPECT_EQ(parse_scenario(scenario_text(scenario), "run.yaml"), scenario) << scenario_text(scenario);
   }
 }
@@ -71,6 +80,11 @@ TEST(ScenarioFileTest, SaysWhichFieldIsWrong) {
   EXPECT_THAT(error_of("max_time: inf\n"), HasSubstr("max_time"));
   EXPECT_THAT(error_of("start: [1, 2]\n"), HasSubstr("want [x, y, theta]"));
   EXPECT_THAT(error_of("start: [1, 2, east]\n"), HasSubstr("start[2] is east"));
+  EXPECT_THAT(error_of("within: [1, 2, 3]\n"), HasSubstr("within"));
+  EXPECT_THAT(error_of("within: [1, 2, 0, 3]\n"), HasSubstr("the lower left corner first"));
+  EXPECT_THAT(error_of("return_home: perhaps\n"), HasSubstr("return_home"));
+  EXPECT_THAT(error_of("forward_cone: 4\n"), HasSubstr("an angle in radians, up to pi"));
+  EXPECT_THAT(error_of("robot_radius: -1\n"), HasSubstr("a radius from 0 to 1 m"));
   EXPECT_THAT(error_of("strategi: reactive\n"),
               AllOf(HasSubstr("run.yaml:1: there is no field 'strategi'"), HasSubstr("did you mean 'strategy'?")));
   EXPECT_THAT(error_of("world: [a]\n"), HasSubstr("world is a list of 1; want text"));

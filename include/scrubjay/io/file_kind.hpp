@@ -17,6 +17,7 @@ enum class FileKind : std::uint8_t {
   Image,
   Urdf,
   Trajectory,
+  CarmenLog,
   Unknown
 };
 

@@ -23,6 +23,7 @@ struct MapPicture {
   std::optional<Pose2> dock;  ///< its face, looking out into the room
   std::vector<Point2> bumps;  ///< where the bumper was hit
   std::vector<Point2> stuck;  ///< where the robot couldn't get on
+  std::vector<Point2> left;   ///< where it would have gone, and hasn't
   std::string title;
 };
 
