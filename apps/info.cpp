@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <scrubjay/error.hpp>
+#include <scrubjay/io/carmen_log.hpp>
 #include <scrubjay/io/file_kind.hpp>
 #include <scrubjay/io/image.hpp>
 #include <scrubjay/io/map_file.hpp>
@@ -87,6 +88,21 @@ std::string describe_trajectory(const std::filesystem::path& path) {
   return fmt::format("poses: {}\nlength: {:.3f} m\n", trajectory.size(), length);
 }
 
+std::string describe_carmen_log(const std::filesystem::path& path) {
+  const CarmenLog log = read_carmen_log(path);
+  double driven = 0.0;
+  for (std::size_t i = 1; i < log.records.size(); ++i) {
+    driven += (log.records[i].odometry.position() - log.records[i - 1].odometry.position()).norm();
+  }
+  const double first = log.lidar.angle_min;
+  return fmt::format(
+      "length: {:.3f} s\nscans: {}\nbeams: {}, from {:g} to {:g} degrees\ndriven: {:.1f} m by the wheels\n"
+      "odometry records: {}\nrecords out of order: {}\n",
+      log.duration(), log.scans.size(), log.lidar.beams, degrees(first),
+      degrees(first + (log.lidar.beams - 1) * log.lidar.angle_increment), driven, log.records.size() - log.scans.size(),
+      log.late);
+}
+
 std::string describe(FileKind kind, const std::string& file) {
   switch (kind) {
     case FileKind::Recording:
@@ -106,11 +122,14 @@ std::string describe(FileKind kind, const std::string& file) {
       return describe_robot(file);
     case FileKind::Trajectory:
       return describe_trajectory(file);
+    case FileKind::CarmenLog:
+      return describe_carmen_log(file);
     case FileKind::Unknown:
       break;
   }
   throw Error(file +
-              ": is none of a world, map, plan, recording, scenario, robot, trajectory or image; want one of these");
+              ": is none of a world, map, plan, recording, CARMEN log, scenario, robot, trajectory or image; want one "
+              "of these");
 }
 
 void info(const std::string& file) {

@@ -1,13 +1,15 @@
 /// \file
-/// `scrubjay replay LOG`: the same run from a recording of its bytes.
+/// `scrubjay replay LOG`: the same run from a recording of its bytes, or a map from a CARMEN log.
 #include <fmt/format.h>
 
 #include <chrono>
 #include <memory>
 #include <scrubjay/error.hpp>
+#include <scrubjay/io/file_kind.hpp>
+#include <scrubjay/io/octomap_file.hpp>
 #include <scrubjay/io/recording.hpp>
 #include <scrubjay/io/scenario_file.hpp>
-#include <scrubjay/mapping/contact_mapper.hpp>
+#include <scrubjay/mission/estimation.hpp>
 #include <scrubjay/mission/paced_robot.hpp>
 #include <scrubjay/mission/strategies.hpp>
 #include <scrubjay/mission/track.hpp>
@@ -16,19 +18,12 @@
 #include "commands.hpp"
 #include "data_folder.hpp"
 #include "interrupt.hpp"
-#include "random_streams.hpp"
+#include "replay_carmen.hpp"
 #include "simulated_run.hpp"
 #include "summary.hpp"
 
 namespace scrubjay::apps {
 namespace {
-
-struct ReplayFlags {
-  std::string log;
-  double speed = 0.0;
-  std::optional<std::string> out;
-  OutputFlags output;
-};
 
 RunResult replay_recording(RecordingReader& recording, const Scenario& scenario, double speed,
                            const std::stop_token& stop) {
@@ -38,12 +33,11 @@ RunResult replay_recording(RecordingReader& recording, const Scenario& scenario,
   OiRobot robot(channel, model);
   std::optional<PacedRobot> paced;
   if (speed > 0.0) paced.emplace(robot, speed);
-  DeadReckoning localizer(model.drive);
-  ContactMapper mapper(model, scenario.resolution);
+  const Estimation estimation = make_estimation(scenario, model);
   // The strategy decides anew from the same frames; the robot of a recording goes where it went.
-  const std::unique_ptr<Behavior> strategy =
-      make_strategy(scenario.strategy, model, Random(scenario.seed).fork(kStrategyStream));
-  Mission mission(paced ? static_cast<Robot&>(*paced) : robot, localizer, mapper, *strategy, {scenario.max_time});
+  const std::unique_ptr<Behavior> strategy = make_strategy(scenario.strategy, strategy_setting(scenario, model));
+  Mission mission(paced ? static_cast<Robot&>(*paced) : robot, *estimation.localizer, *estimation.mapper, *strategy,
+                  {scenario.max_time});
   Track track;
   mission.watch(track);
 
@@ -51,7 +45,7 @@ RunResult replay_recording(RecordingReader& recording, const Scenario& scenario,
   run.scenario = scenario;
   run.report = mission.run(stop);
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  run.map = mapper.occupancy();
+  run.map = estimation.mapper->occupancy();
   run.trajectory = track.points();
   run.bumps = track.bumps();
   run.robot_radius = model.radius;
@@ -73,15 +67,21 @@ std::optional<KnownWorld> find_world(const Scenario& scenario) {
 
 void replay(const ReplayFlags& flags) {
   expect_speed(flags.speed);
+  check_octomap(flags.octomap);
+  if (file_kind(flags.log) == FileKind::CarmenLog) return replay_carmen(flags);
+  if (flags.carmen != CarmenFlags{}) {
+    throw Error(
+        fmt::format("{}: no CARMEN log; want none of --poses, --resolution, --forward-cone, --robot-radius, "
+                    "--max-range and --relations with it",
+                    flags.log));
+  }
   RecordingReader recording{std::filesystem::path(flags.log)};
   if (recording.scenario().empty()) {
     throw Error(fmt::format("{}: cut before its scenario ends; nothing can be replayed", flags.log));
   }
   const Scenario scenario = parse_scenario(recording.scenario(), flags.log + " (scenario)");
   const std::optional<KnownWorld> known = find_world(scenario);
-  const std::filesystem::path folder = flags.out
-                                           ? std::filesystem::path(*flags.out)
-                                           : std::filesystem::path("out") / std::filesystem::path(flags.log).stem();
+  const std::filesystem::path folder = replay_folder(flags);
   prepare_run_folder(folder);
   const Interrupt interrupt;
   RunResult run = replay_recording(recording, scenario, flags.speed, interrupt.token());
@@ -90,6 +90,7 @@ void replay(const ReplayFlags& flags) {
                run.report.time);
   if (known) run.truth = compare_with_truth(known->stage, known->truth, run.map.view(), run.trajectory);
   write_run(folder, run);
+  if (flags.octomap.file) write_octomap(*flags.octomap.file, run.map, flags.octomap.height);
   print_summary(run, folder, flags.output);
 }
 
@@ -98,9 +99,11 @@ void replay(const ReplayFlags& flags) {
 void add_replay(CLI::App& app) {
   CLI::App* command = app.add_subcommand("replay", "Map from a recording");
   const auto flags = std::make_shared<ReplayFlags>();
-  command->add_option("LOG", flags->log, ".oilog of explore --record")->required();
+  command->add_option("LOG", flags->log, ".oilog of explore --record, or a CARMEN log, also as .gz")->required();
   command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)")->check(number);
   command->add_option("--out", flags->out, "folder for the results (out/LOG)");
+  add_carmen_flags(*command, flags->carmen);
+  add_octomap_flags(*command, flags->octomap);
   add_output_flags(*command, flags->output);
   command->callback([flags] { replay(*flags); });
 }

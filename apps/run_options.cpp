@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/scenario_file.hpp>
+#include <scrubjay/mission/estimation.hpp>
 #include <scrubjay/mission/strategies.hpp>
+
+#include "data_folder.hpp"
 
 namespace scrubjay::apps {
 namespace {
@@ -29,16 +33,26 @@ std::string listed(const std::vector<std::string_view>& names) {
 }  // namespace
 
 void add_scenario_flags(CLI::App& command, ScenarioFlags& flags) {
-  const Scenario standard;
   command.add_option("WORLD", flags.world, "world YAML, HouseExpo plan or nav2 map");
   command.add_option("--scenario", flags.scenario_file, "scenario.yaml of an earlier run to repeat");
-  command.add_option("--strategy", flags.strategy, fmt::format("{} ({})", listed(strategy_names()), standard.strategy));
-  command.add_option("--model", flags.model, "roomba-600, create-2, create-1 or a URDF file\n(roomba-600)");
+  command.add_option("--strategy", flags.strategy,
+                     fmt::format("{}\n(contact-frontier; frontiers with a lidar)", listed(strategy_names())));
+  command.add_option("--model", flags.model,
+                     "roomba-600, create-2, create-1, turtlebot3-burger\nor a URDF file (roomba-600)");
+  command.add_option("--localizer", flags.localizer, "odometry, scan-matching (what the senses allow)");
   command.add_option("--noise", flags.noise, "none, hard-floor, carpet, uncalibrated (none)");
   command.add_option("--seed", flags.seed, "same seed, same run (1)")->check(whole_number);
   command.add_option("--start", flags.start, "x,y,theta in the world [m, rad]");
   command.add_option("--resolution", flags.resolution, "side of a map cell [m] (0.05)")->check(number);
   command.add_option("--max-time", flags.max_time, "simulated seconds (7200)")->check(number);
+  command.add_option("--within", flags.within, "x0,y0,x1,y1 in the map: floor to stay on [m]");
+  command.add_flag("--return-home", flags.return_home, "drive back to the start once done");
+  command.add_flag("--motion-distortion", flags.motion_distortion,
+                   "a lidar's beams are measured one by one while it moves");
+  command.add_option("--forward-cone", flags.forward_cone, "map only beams this near to straight ahead [deg] (180)")
+      ->check(number);
+  command.add_option("--robot-radius", flags.robot_radius, "floor this near to a lidar robot is free [m] (its own)")
+      ->check(number);
 }
 
 Scenario make_scenario(const ScenarioFlags& flags) {
@@ -51,7 +65,16 @@ Scenario make_scenario(const ScenarioFlags& flags) {
   if (flags.start) scenario.start = parse_pose(*flags.start, "--start");
   if (flags.resolution) scenario.resolution = *flags.resolution;
   if (flags.max_time) scenario.max_time = *flags.max_time;
+  if (flags.localizer) scenario.localizer = *flags.localizer;
+  if (flags.within) scenario.within = parse_bounds(*flags.within, "--within");
+  if (flags.return_home) scenario.return_home = true;
+  if (flags.motion_distortion) scenario.motion_distortion = true;
+  if (flags.forward_cone) scenario.forward_cone = radians(*flags.forward_cone);
+  if (flags.robot_radius) scenario.robot_radius = *flags.robot_radius;
   check_scenario(scenario);
+  const RobotModel robot = find_robot(scenario.model).model;
+  if (scenario.strategy.empty()) scenario.strategy = default_strategy(robot);
+  if (scenario.localizer.empty()) scenario.localizer = default_localizer(robot);
   return scenario;
 }
 
@@ -62,6 +85,13 @@ void check_scenario(const Scenario& scenario) {
   }
   if (!(scenario.max_time > 0.0 && scenario.max_time <= 1e7)) {
     throw Error(fmt::format("--max-time is {}; want a positive number of seconds, 1e7 at most", scenario.max_time));
+  }
+  if (scenario.forward_cone && !(*scenario.forward_cone > 0.0 && *scenario.forward_cone <= kPi + 1e-9)) {
+    throw Error(fmt::format("--forward-cone is {}; want more than 0 and at most 180 degrees either way",
+                            degrees(*scenario.forward_cone)));
+  }
+  if (scenario.robot_radius && !(*scenario.robot_radius >= 0.0 && *scenario.robot_radius <= 1.0)) {
+    throw Error(fmt::format("--robot-radius is {}; want 0 to 1 m", *scenario.robot_radius));
   }
 }
 
@@ -83,19 +113,50 @@ std::string number(const std::string& text) {
   return all ? "" : fmt::format("'{}' is no number", text);
 }
 
-Pose2 parse_pose(const std::string& text, const std::string& flag) {
-  double values[3];
+namespace {
+
+/// Numbers between commas; none if the text is anything else.
+template <std::size_t N>
+std::optional<std::array<double, N>> parse_numbers(const std::string& text) {
+  std::array<double, N> values{};
   const char* at = text.data();
   const char* end = at + text.size();
-  for (int i = 0; i < 3; ++i) {
-    if (i > 0 && (at == end || *at++ != ',')) at = nullptr;
-    if (at == nullptr) break;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (i > 0 && (at == end || *at++ != ',')) return std::nullopt;
     const auto [stop, error] = std::from_chars(at, end, values[i]);
-    at = error == std::errc() && std::isfinite(values[i]) ? stop : nullptr;
-    if (at == nullptr) break;
+    if (error != std::errc() || !std::isfinite(values[i])) return std::nullopt;
+    at = stop;
   }
-  if (at != end) throw Error(fmt::format("{} is '{}'; want x,y,theta in metres and radians, as 1.5,2,0", flag, text));
-  return {values[0], values[1], wrap_angle(values[2])};
+  if (at != end) return std::nullopt;
+  return values;
+}
+
+}  // namespace
+
+Pose2 parse_pose(const std::string& text, const std::string& flag) {
+  const auto values = parse_numbers<3>(text);
+  if (!values) throw Error(fmt::format("{} is '{}'; want x,y,theta in metres and radians, as 1.5,2,0", flag, text));
+  return {(*values)[0], (*values)[1], wrap_angle((*values)[2])};
+}
+
+Bounds2 parse_bounds(const std::string& text, const std::string& flag) {
+  const auto values = parse_numbers<4>(text);
+  if (!values || !((*values)[0] < (*values)[2] && (*values)[1] < (*values)[3])) {
+    throw Error(
+        fmt::format("{} is '{}'; want x0,y0,x1,y1 in metres, the lower left corner first, as -2,-2,3,4", flag, text));
+  }
+  return {{(*values)[0], (*values)[1]}, {(*values)[2], (*values)[3]}};
+}
+
+void add_octomap_flags(CLI::App& command, OctomapFlags& flags) {
+  command.add_option("--octomap", flags.file, "the map as an OctoMap tree, too: FILE.bt");
+  command.add_option("--height", flags.height, "of the walls in it [m] (1)")->check(number);
+}
+
+void check_octomap(const OctomapFlags& flags) {
+  if (!(flags.height > 0.0 && flags.height <= 10.0)) {
+    throw Error(fmt::format("--height is {}; want more than 0 and at most 10 m", flags.height));
+  }
 }
 
 void add_output_flags(CLI::App& command, OutputFlags& flags) {

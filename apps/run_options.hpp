@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
+#include <scrubjay/geometry/bounds.hpp>
 #include <scrubjay/geometry/pose2.hpp>
 #include <scrubjay/mission/scenario.hpp>
 #include <string>
@@ -20,8 +21,14 @@ struct ScenarioFlags {
   std::optional<std::string> noise;
   std::optional<std::uint64_t> seed;
   std::optional<std::string> start;
+  std::optional<std::string> localizer;
   std::optional<double> resolution;
   std::optional<double> max_time;
+  std::optional<std::string> within;
+  bool return_home = false;
+  bool motion_distortion = false;
+  std::optional<double> forward_cone;  ///< [degrees]
+  std::optional<double> robot_radius;  ///< [m]
 };
 
 void add_scenario_flags(CLI::App& command, ScenarioFlags& flags);
@@ -38,6 +45,18 @@ std::string number(const std::string& text);
 
 /// "x,y,theta" in metres and radians. Throws Error.
 Pose2 parse_pose(const std::string& text, const std::string& flag);
+
+/// A map as an octree.
+struct OctomapFlags {
+  std::optional<std::string> file;
+  double height = 1.0;  ///< [m]
+};
+void add_octomap_flags(CLI::App& command, OctomapFlags& flags);
+/// Throws Error for a height that no wall can have.
+void check_octomap(const OctomapFlags& flags);
+
+/// "x0,y0,x1,y1" in metres, the lower left corner first. Throws Error.
+Bounds2 parse_bounds(const std::string& text, const std::string& flag);
 
 /// How much to say, and how.
 struct OutputFlags {

@@ -2,15 +2,17 @@
 
 #include <chrono>
 #include <ctime>
+#include <scrubjay/error.hpp>
 #include <scrubjay/io/recording.hpp>
 #include <scrubjay/io/scenario_file.hpp>
 #include <scrubjay/io/world_reader.hpp>
-#include <scrubjay/mapping/contact_mapper.hpp>
+#include <scrubjay/mission/estimation.hpp>
 #include <scrubjay/mission/paced_robot.hpp>
 #include <scrubjay/mission/strategies.hpp>
 #include <scrubjay/mission/track.hpp>
 #include <scrubjay/robot/oi_robot.hpp>
 #include <scrubjay/simulation/simulated_roomba.hpp>
+#include <scrubjay/simulation/simulated_turtlebot.hpp>
 #include <scrubjay/world/start.hpp>
 
 #include "data_folder.hpp"
@@ -19,10 +21,46 @@
 namespace scrubjay::apps {
 namespace {
 
+/// A simulated robot, and all that stands between it and the mission.
+class SimulatedRobot {
+ public:
+  SimulatedRobot(const Scenario& scenario, const Stage& stage, const RunOptions& options, const Random& random) {
+    const RobotModel& model = stage.robot.model;
+    if (!model.open_interface) {
+      turtlebot_.emplace(stage.world, stage.index, stage.robot, stage.noise, random, stage.start,
+                         sim::TurtlebotOptions{scenario.motion_distortion});
+      robot_ = &*turtlebot_;
+    } else {
+      roomba_.emplace(stage.world, stage.index, stage.robot, stage.noise, random, stage.start);
+      if (options.record) {
+        writer_.emplace(*options.record, scenario_text(scenario));
+        recording_.emplace(*roomba_, *writer_);
+      }
+      robot_ = &oi_robot_.emplace(recording_ ? static_cast<ByteChannel&>(*recording_) : *roomba_, model);
+    }
+    if (options.speed > 0.0) robot_ = &paced_.emplace(*robot_, options.speed);
+  }
+
+  Robot& robot() { return *robot_; }
+  const sim::Truth& truth() const { return roomba_ ? roomba_->truth() : turtlebot_->truth(); }
+  void close_recording() {
+    if (writer_) writer_->close();
+  }
+
+ private:
+  std::optional<sim::SimulatedTurtlebot> turtlebot_;
+  std::optional<sim::SimulatedRoomba> roomba_;
+  std::optional<RecordingWriter> writer_;
+  std::optional<RecordingChannel> recording_;
+  std::optional<OiRobot> oi_robot_;
+  std::optional<PacedRobot> paced_;
+  Robot* robot_ = nullptr;
+};
+
 /// True poses, at the times at which Track keeps estimated ones.
 class TruthTrack final : public Observer {
  public:
-  TruthTrack(const sim::SimulatedRoomba& robot, const Pose2& start) : robot_(robot), map_from_world_(inverse(start)) {}
+  TruthTrack(const SimulatedRobot& robot, const Pose2& start) : robot_(robot), map_from_world_(inverse(start)) {}
 
   void notify(const Snapshot& now) override {
     if (!points_.empty() && now.frame.stamp - points_.back().stamp < Track::kInterval - 1e-9) return;
@@ -31,7 +69,7 @@ class TruthTrack final : public Observer {
   const std::vector<StampedPose>& points() const { return points_; }
 
  private:
-  const sim::SimulatedRoomba& robot_;
+  const SimulatedRobot& robot_;
   Pose2 map_from_world_;
   std::vector<StampedPose> points_;
 };
@@ -60,6 +98,10 @@ GroundTruth truth_of(const Stage& stage, double resolution) {
   return ground_truth(stage.world, stage.start, stage.robot.model.radius, resolution);
 }
 
+StrategySetting strategy_setting(const Scenario& scenario, const RobotModel& robot) {
+  return {robot, Random(scenario.seed).fork(kStrategyStream), scenario.within, scenario.return_home};
+}
+
 RunTruth compare_with_truth(const Stage& stage, const GroundTruth& truth, GridView<const Occupancy> map,
                             std::span<const StampedPose> trajectory) {
   RunTruth result;
@@ -76,24 +118,12 @@ RunResult run_simulated(const Scenario& scenario, const Stage& stage, const Grou
   const double cpu_begin = thread_cpu_time();
   const Random random(scenario.seed);
   const RobotModel& model = stage.robot.model;
-  sim::SimulatedRoomba roomba(stage.world, stage.index, stage.robot, stage.noise, random.fork(kRobotStream),
-                              stage.start);
-  std::optional<RecordingWriter> writer;
-  std::optional<RecordingChannel> recording;
-  if (options.record) {
-    writer.emplace(*options.record, scenario_text(scenario));
-    recording.emplace(roomba, *writer);
-  }
-  OiRobot robot(recording ? static_cast<ByteChannel&>(*recording) : roomba, model);
-  std::optional<PacedRobot> paced;
-  if (options.speed > 0.0) paced.emplace(robot, options.speed);
-
-  DeadReckoning localizer(model.drive);
-  ContactMapper mapper(model, scenario.resolution);
-  const std::unique_ptr<Behavior> strategy = make_strategy(scenario.strategy, model, random.fork(kStrategyStream));
-  Mission mission(paced ? static_cast<Robot&>(*paced) : robot, localizer, mapper, *strategy, {scenario.max_time});
+  SimulatedRobot simulated(scenario, stage, options, random.fork(kRobotStream));
+  const Estimation estimation = make_estimation(scenario, model);
+  const std::unique_ptr<Behavior> strategy = make_strategy(scenario.strategy, strategy_setting(scenario, model));
+  Mission mission(simulated.robot(), *estimation.localizer, *estimation.mapper, *strategy, {scenario.max_time});
   Track track;
-  TruthTrack truth_track(roomba, stage.start);
+  TruthTrack truth_track(simulated, stage.start);
   mission.watch(track);
   mission.watch(truth_track);
   if (options.onlooker != nullptr) mission.watch(*options.onlooker);
@@ -101,15 +131,17 @@ RunResult run_simulated(const Scenario& scenario, const Stage& stage, const Grou
   RunResult run;
   run.scenario = scenario;
   run.report = mission.run(stop);
-  if (writer) writer->close();
+  simulated.close_recording();
   run.cpu_time = thread_cpu_time() - cpu_begin;
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_begin).count();
-  run.map = mapper.occupancy();
+  run.map = estimation.mapper->occupancy();
   run.trajectory = track.points();
   run.bumps = track.bumps();
   run.robot_radius = model.radius;
+  run.has_bumper = model.open_interface;
   run.truth = compare_with_truth(stage, truth, run.map.view(), run.trajectory);
   run.truth->trajectory = truth_track.points();
+  run.truth->contacts = simulated.truth().bumps;
   run.truth->error = trajectory_error(run.trajectory, run.truth->trajectory);
   return run;
 }

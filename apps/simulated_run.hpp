@@ -7,6 +7,7 @@
 #include <scrubjay/io/run_files.hpp>
 #include <scrubjay/mission/mission.hpp>
 #include <scrubjay/mission/scenario.hpp>
+#include <scrubjay/mission/strategies.hpp>
 #include <scrubjay/simulation/noise.hpp>
 #include <scrubjay/simulation/robot_spec.hpp>
 #include <scrubjay/world/segment_index.hpp>
@@ -30,6 +31,9 @@ Stage set_stage(const Scenario& scenario);
 /// What there is to find out about a stage, in cells of `resolution`. To be asked for before the run: it throws Error
 /// if the resolution is none for this world and this robot, which no run should be wasted on.
 GroundTruth truth_of(const Stage& stage, double resolution);
+
+/// What a scenario's strategy is made for. A replay makes the same one.
+StrategySetting strategy_setting(const Scenario& scenario, const RobotModel& robot);
 
 struct RunOptions {
   double speed = 0.0;                           ///< times real time; 0 is as fast as possible

@@ -2,15 +2,34 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace scrubjay::apps {
+namespace {
+
+/// What the robot would have gone to, and why it hasn't: the largest first.
+void print_leftovers(std::vector<Leftover> left) {
+  if (left.empty()) return;
+  constexpr std::size_t kShown = 5;
+  std::ranges::stable_sort(left, std::ranges::greater{}, &Leftover::size);
+  fmt::print("left: {} {}\n", left.size(), left.size() == 1 ? "place" : "places");
+  for (std::size_t i = 0; i < std::min(kShown, left.size()); ++i) {
+    fmt::print("  ({:.2f}, {:.2f}), {:.2f} m: {}\n", left[i].where.x(), left[i].where.y(), left[i].size, left[i].why);
+  }
+  if (left.size() > kShown) fmt::print("  and {} more (metrics.json)\n", left.size() - kShown);
+}
+
+}  // namespace
 
 void print_summary(const RunResult& run, const std::filesystem::path& folder, const OutputFlags& flags) {
   if (flags.json) return fmt::print("{}", metrics_json(run));
   if (flags.quiet) return;
   const Report& report = run.report;
-  fmt::print("{} after {:.0f} s: {:.1f} m driven, {} bumps\n", to_string(report.ended), report.time, report.distance,
-             report.bumps);
+  const bool feels = run.has_bumper || !run.truth;
+  fmt::print("{} after {:.0f} s: {:.1f} m driven, {} {}\n", to_string(report.ended), report.time, report.distance,
+             feels ? report.bumps : run.truth->contacts, feels ? "bumps" : "contacts");
   if (report.stuck) fmt::print("stuck at ({:.2f}, {:.2f}) in the map\n", report.stuck->x(), report.stuck->y());
+  print_leftovers(report.leftovers);
   if (run.truth) {
     const MapScore& score = run.truth->score;
     fmt::print("coverage {:.1f} %, IoU {:.3f}, walls: recall {:.3f}, precision {:.3f}\n", 100.0 * score.coverage,

@@ -26,6 +26,7 @@ const LidarMapperParams& checked(const LidarMapperParams& params, double resolut
   want(resolution > 0.0 && std::isfinite(resolution), "resolution", resolution, "a positive length in metres");
   want(params.hit > 0.5 && params.hit < 1.0, "hit", params.hit, "more than 0.5 and less than 1");
   want(params.miss > 0.0 && params.miss < 0.5, "miss", params.miss, "more than 0 and less than 0.5");
+  want(params.hit_depth >= 0.0 && params.hit_depth <= 1.0, "hit_depth", params.hit_depth, "0 to 1 cells");
   want(params.max_range > 0.0, "max_range", params.max_range, "a positive length in metres");
   want(params.forward_cone > 0.0, "forward_cone", params.forward_cone, "a positive angle in radians");
   want(params.robot_radius >= 0.0, "robot_radius", params.robot_radius, "0 or a positive length in metres");
@@ -77,12 +78,14 @@ void take_misses(std::uint8_t* marks, LogOdds* cells) {
 
 }  // namespace
 
-LidarMapper::LidarMapper(const RobotModel& robot, double resolution, const LidarMapperParams& params)
+LidarMapper::LidarMapper(const RobotModel& robot, double resolution, const LidarMapperParams& params, double reach)
     : params_(checked(params, resolution)),
       hit_(log_odds(params.hit)),
       miss_(static_cast<std::uint8_t>(-log_odds(params.miss))),
-      points_(lidar_of(robot), {params.max_range, params.forward_cone}),
-      map_(resolution) {}
+      points_(lidar_of(robot), {params.max_range, params.forward_cone, params.hit_depth * resolution}),
+      map_(resolution) {
+  if (reach > 0.0) map_.cover(Point2(0.0, 0.0), reach);
+}
 
 void LidarMapper::update(const Frame& frame, const PoseEstimate& estimate) {
   changed_ = {};

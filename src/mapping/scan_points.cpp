@@ -31,7 +31,7 @@ std::span<const Beam> ScanPoints::beams(const LaserScan& scan, double stamp, con
   const double clear_range = std::min(lidar_.clear_range, params_.max_range);
   for (const Bearing& bearing : bearings_) {
     const double range = static_cast<double>(scan.ranges[bearing.beam]);
-    double length = range;
+    double length = range + params_.hit_depth;
     bool hit = true;
     if (range > scan.range_max || range == kInfinity || range == 0.0) {
       length = clear_range;

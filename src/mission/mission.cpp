@@ -23,7 +23,7 @@ Report Mission::run(std::stop_token stop) {
   while (const auto frame = robot_.next()) {
     const PoseEstimate& estimate = localizer_.update(*frame);
     mapper_.update(*frame, estimate);
-    const Decision decision = behavior_.decide({*frame, estimate, mapper_.map()});
+    const Decision decision = behavior_.decide({*frame, estimate, mapper_.map(), mapper_.changed()});
     for (Observer* observer : observers_) observer->notify({*frame, estimate, mapper_.map(), decision});
     count(*frame, estimate);
     if (const auto why = ended(*frame, estimate, decision, stop)) {
@@ -33,13 +33,20 @@ Report Mission::run(std::stop_token stop) {
     robot_.drive(decision.motion);
   }
   robot_.stop();
+  const std::span<const Leftover> left = behavior_.leftovers();
+  report_.leftovers.assign(left.begin(), left.end());
   return report_;
 }
 
 void Mission::count(const Frame& frame, const PoseEstimate& estimate) {
   if (!first_stamp_) first_stamp_ = frame.stamp;
   report_.time = frame.stamp - *first_stamp_;
-  report_.distance += std::fabs(0.5 * (frame.left_travel + frame.right_travel));
+  if (frame.odometry) {
+    if (last_odometry_) report_.distance += (frame.odometry->position() - last_odometry_->position()).norm();
+    last_odometry_ = frame.odometry;
+  } else {
+    report_.distance += std::fabs(0.5 * (frame.left_travel + frame.right_travel));
+  }
   report_.bumps += frame.bumped() && !was_bumped_;
   was_bumped_ = frame.bumped();
   report_.pose = estimate.pose;

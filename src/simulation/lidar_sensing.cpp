@@ -73,10 +73,12 @@ void LidarSensing::measure_tick(const Pose2& robot) {
 /// What the lidar says of a range: with its noise, if it can measure that at all.
 float LidarSensing::reported(double range) {
   // Every beam has its number, whether it needs it or not: noise doesn't depend on what else there is to see.
-  const bool noisy = noise_.lidar_noise > 0.0 || noise_.lidar_near_noise > 0.0;
+  const bool noisy = noise_.lidar_noise > 0.0 || noise_.lidar_noise_share > 0.0;
   if (noisy && range >= lidar_.min_range && range <= lidar_.max_range) {
-    const double deviation = range < kLidarNear ? noise_.lidar_near_noise : noise_.lidar_noise * range;
-    range += deviation * turn_random_.normal();
+    constexpr double kNear = 0.5;  // [m]
+    const double limit = range < kNear ? lidar_.near_accuracy : lidar_.accuracy * range;
+    const double deviation = noise_.lidar_noise + noise_.lidar_noise_share * range;
+    range += std::clamp(deviation * turn_random_.normal(), -limit, limit);
   } else {
     turn_random_.next();
   }

@@ -76,7 +76,7 @@ void expect_whole(const fs::path& folder, const std::string& name, const std::st
 
 std::string broken_result(const fs::path& folder) {
   for (const auto& [name, content] : contents_of(folder, false)) {
-    if (!kRunFiles.contains(name)) return name + " is none of a run's files";
+    if (!kRunFiles.contains(name) && name != "reference.tum") return name + " is none of a run's files";
     try {
       expect_whole(folder, name, content);
     } catch (const std::exception& error) {

@@ -42,7 +42,8 @@ std::vector<fs::path> files_in(const fs::path& folder, const std::string& ending
 class OwnWorldsTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(OwnWorldsTest, AreExploredByEveryStrategy) {
-  for (const char* strategy : {"random-2", "random-3", "random-look", "random-aware", "reactive", "edge-follow"}) {
+  for (const char* strategy : {"random-2", "random-3", "random-look", "random-aware", "reactive", "wander",
+                               "edge-follow", "contact-frontier"}) {
     expect_explored(own_world(GetParam()), strategy);
   }
 }

@@ -98,12 +98,24 @@ TEST_F(WrongInputTest, SuggestsTheWordThatWasMeant) {
   expect_bad_flag("--model", "create2", "did you mean 'create-2'? (known: roomba-600, create-2, create-1");
   expect_bad_flag(
       "--strategy", "edge-folow",
-      "did you mean 'edge-follow'? (known: random-2, random-3, random-look, random-aware, reactive, edge-follow)");
+      "did you mean 'edge-follow'? (known: random-2, random-3, random-look, random-aware, reactive, wander");
   expect_bad_flag("--noise", "carpt", "did you mean 'carpet'? (known: none, hard-floor, carpet");
   expect_refusal({"exlpore", own_world("room")}, kWrong, "there is no command 'exlpore'; did you mean 'explore'?");
   expect_refusal({"explore", own_world("room"), "--stratgy", "reactive"}, kWrong,
                  "there is no flag '--stratgy'; did you mean '--strategy'?");
   expect_refusal({"--verion"}, kWrong, "there is no flag '--verion'; did you mean '--version'?");
+}
+
+TEST_F(WrongInputTest, NamesTheSensesThatAreMissing) {
+  expect_bad_flag("--strategy", "frontiers", "strategy 'frontiers' wants a lidar");
+  expect_bad_flag("--localizer", "scan-matching", "scan-matching wants a lidar");
+  expect_bad_flag("--localizer", "gps", "there is no localizer 'gps'; want odometry or scan-matching");
+  const std::string world = own_world("room");
+  expect_refusal({"explore", world, "--model", "turtlebot3-burger", "--strategy", "reactive"}, kWrong,
+                 "strategy 'reactive' wants a bumper");
+  expect_refusal({"explore", world, "--model", "turtlebot3-burger", "--record", "run.oilog"}, kWrong,
+                 "which turtlebot3-burger doesn't speak");
+  expect_refusal({"compare", world, "--strategies", "tiles"}, kWrong, "strategy 'tiles' wants a lidar");
 }
 
 TEST_F(WrongInputTest, RefusesNumbersThatAreNoneOrOutOfRange) {
@@ -113,6 +125,11 @@ TEST_F(WrongInputTest, RefusesNumbersThatAreNoneOrOutOfRange) {
   for (const char* text : {"0", "-0.05", "nan", "inf", "1.5", "0.001", "x"})
     expect_bad_flag("--resolution", text, "--resolution");
   for (const char* text : {"0", "-1", "nan", "inf", "1e9", "x"}) expect_bad_flag("--max-time", text, "--max-time");
+  for (const char* text : {"", "1,2,3", "1,2,3,4,5", "1,2,0,4", "a,b,c,d", "0,0,nan,1"})
+    expect_bad_flag("--within", text, "want x0,y0,x1,y1");
+  for (const char* text : {"0", "-5", "181", "nan", "x"}) expect_bad_flag("--forward-cone", text, "--forward-cone");
+  for (const char* text : {"-0.1", "2", "nan", "x"}) expect_bad_flag("--robot-radius", text, "--robot-radius");
+  for (const char* text : {"0", "-1", "11", "nan"}) expect_bad_flag("--height", text, "--height");
   expect_bad_flag("--resolution", "0.9", "resolution");  // a cell larger than the robot
   const std::string world = own_world("room");
   expect_refusal({"compare", world, "--seeds", "0"}, kWrong, "--seeds is 0");

@@ -29,7 +29,7 @@ void Explore(benchmark::State& state, const std::string& profile, int rooms) {
     OiRobot robot(roomba, model);
     DeadReckoning localizer(model.drive);
     ContactMapper mapper(model, 0.05);
-    const auto strategy = make_strategy("edge-follow", model, Random(2));
+    const auto strategy = make_strategy("edge-follow", {.robot = model, .random = Random(2)});
     Mission mission(robot, localizer, mapper, *strategy, {1800.0});
     Track track;
     mission.watch(track);

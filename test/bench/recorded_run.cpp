@@ -75,13 +75,13 @@ RecordedRun record(const std::string& strategy, const std::string& profile, int 
   OiRobot robot(roomba, model);
   DeadReckoning localizer(model.drive);
   ContactMapper mapper(model, kResolution);
-  const auto behavior = make_strategy(strategy, model, Random(2));
+  const auto behavior = make_strategy(strategy, {.robot = model, .random = Random(2)});
   while (const auto frame = robot.next()) {
     RecordedTick& tick = run.ticks.back();
     tick.frame = *frame;
     tick.estimate = localizer.update(*frame);
     mapper.update(tick.frame, tick.estimate);
-    const Decision decision = behavior->decide({tick.frame, tick.estimate, mapper.map()});
+    const Decision decision = behavior->decide({tick.frame, tick.estimate, mapper.map(), mapper.changed()});
     tick.motion = decision.motion;
     if (decision.done || frame->stamp >= kRecordedTime) break;
     robot.drive(tick.motion);
@@ -136,10 +136,10 @@ void play_mapper(const RecordedRun& run) {
 
 void play_mapper_and_behavior(const RecordedRun& run) {
   ContactMapper mapper({}, kResolution);
-  const auto behavior = make_strategy(run.strategy, {}, Random(2));
+  const auto behavior = make_strategy(run.strategy, {.random = Random(2)});
   for (const RecordedTick& tick : run.ticks) {
     mapper.update(tick.frame, tick.estimate);
-    benchmark::DoNotOptimize(behavior->decide({tick.frame, tick.estimate, mapper.map()}));
+    benchmark::DoNotOptimize(behavior->decide({tick.frame, tick.estimate, mapper.map(), mapper.changed()}));
   }
 }
 

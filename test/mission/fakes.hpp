@@ -58,6 +58,7 @@ class FakeLocalizer final : public Localizer {
 class FakeMapper final : public Mapper {
  public:
   void update(const Frame&, const PoseEstimate&) override { ++updates; }
+  CellRect changed() const override { return {}; }
   GridView<const LogOdds> map() const override { return {}; }
   OccupancyGrid occupancy() const override { return {}; }
 

@@ -143,5 +143,13 @@ TEST(MissionTest, EachEndHasItsName) {
   EXPECT_EQ(to_string(Ended::RobotGone), "robot gone");
 }
 
+TEST(MissionTest, CountsTheWayOfOwnOdometryToo) {
+  // A metre along x, then back again, starting anywhere; and its wheels say nothing.
+  Rig rig(FakeRobot(21, [](int i, Frame& frame) {
+    frame.odometry = Pose2{5.0 + 0.1 * (10 - std::abs(10 - i)), 2.0, 1.0};
+  }));
+  EXPECT_NEAR(rig.run().distance, 2.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace scrubjay::test

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <array>
 #include <scrubjay/error.hpp>
 #include <scrubjay/mission/strategies.hpp>
 #include <string>
@@ -13,7 +14,7 @@ using ::testing::HasSubstr;
 
 std::string error_of(std::string_view name) {
   try {
-    make_strategy(name, {}, Random(1));
+    make_strategy(name, {});
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), Error::Kind::Input);
     return error.what();
@@ -21,20 +22,46 @@ std::string error_of(std::string_view name) {
   return {};
 }
 
-TEST(StrategiesTest, AreTheSixPhases) {
-  EXPECT_THAT(strategy_names(),
-              ElementsAre("random-2", "random-3", "random-look", "random-aware", "reactive", "edge-follow"));
+RobotModel burger() {
+  RobotModel robot;
+  robot.open_interface = false;
+  robot.has_light_sensors = false;
+  robot.lidar.emplace();
+  return robot;
+}
+
+TEST(StrategiesTest, AreThoseThatTheSensesAllow) {
+  EXPECT_THAT(strategy_names(RobotModel{}), ElementsAre("random-2", "random-3", "random-look", "random-aware",
+                                                        "reactive", "wander", "edge-follow", "contact-frontier"));
+  EXPECT_THAT(strategy_names(burger()), ElementsAre("wander", "tiles", "frontiers"));
+  EXPECT_EQ(default_strategy(RobotModel{}), "contact-frontier");
+  EXPECT_EQ(default_strategy(burger()), "frontiers");
 }
 
 TEST(StrategiesTest, EachCanBeMadeAndDecides) {
-  for (const std::string_view name : strategy_names()) {
-    const std::unique_ptr<Behavior> behavior = make_strategy(name, {}, Random(1));
-    ASSERT_NE(behavior, nullptr) << name;
-    const Decision decision = behavior->decide({Frame{}, PoseEstimate{}, {}});
-    EXPECT_FALSE(decision.done) << name;
-    EXPECT_NE(std::string_view(decision.doing), "") << name;
-    EXPECT_TRUE(decision.motion.linear != 0.0 || decision.motion.angular != 0.0) << name;
+  const std::array<LogOdds, 1> cell{};
+  for (const RobotModel& robot : {RobotModel{}, burger()}) {
+    for (const std::string_view name : strategy_names(robot)) {
+      const std::unique_ptr<Behavior> behavior = make_strategy(name, {.robot = robot});
+      ASSERT_NE(behavior, nullptr) << name;
+      const Decision decision =
+          behavior->decide({Frame{}, PoseEstimate{}, {{0.05, {0.0, 0.0}, 1, 1}, cell.data()}, {{0, 0}, {1, 1}}});
+      EXPECT_NE(std::string_view(decision.doing), "") << name;
+    }
   }
+}
+
+TEST(StrategiesTest, SensesThatAreMissingAreNamed) {
+  const auto error_for = [](std::string_view name, const RobotModel& robot) -> std::string {
+    try {
+      make_strategy(name, {.robot = robot});
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_THAT(error_for("frontiers", RobotModel{}), AllOf(HasSubstr("wants a lidar"), HasSubstr("contact-frontier")));
+  EXPECT_THAT(error_for("edge-follow", burger()), AllOf(HasSubstr("wants a bumper"), HasSubstr("wander")));
 }
 
 TEST(StrategiesTest, AnUnknownNameGetsTheKnownOnesAndTheNearest) {

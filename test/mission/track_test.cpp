@@ -43,5 +43,11 @@ TEST(TrackTest, KeepsWhereEachBumpBegan) {
   EXPECT_THAT(track.bumps(), ::testing::ElementsAre(Pose2{0.03, 0.0, 0.0}, Pose2{0.1, 0.0, 0.0}));
 }
 
+TEST(TrackTest, KeepsEveryFrameWhenAskedTo) {
+  Track track(0.0);
+  for (const double stamp : {1.0, 1.001, 1.001, 2.0}) show(track, stamp, {stamp, 0.0, 0.0});
+  EXPECT_EQ(track.points().size(), 4u);
+}
+
 }  // namespace
 }  // namespace scrubjay::test

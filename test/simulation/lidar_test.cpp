@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "burger.hpp"
 
 namespace scrubjay::test {
@@ -188,28 +190,52 @@ Moments moments(const std::vector<double>& values) {
   return {mean, std::sqrt(squares / static_cast<double>(values.size()))};
 }
 
-TEST(LidarNoiseTest, IsThatOfTheDataSheet) {
-  // Walls 0.4 m ahead and 2 m to the left: a third of 15 mm, and of 5 %.
-  Burger burger(with_walls({facing({-0.032, 0.0}, 0.0, 0.4, 0.05), facing({-0.032, 0.0}, 0.5 * kPi, 2.0, 0.05)}), {},
-                Burger::noise("hard-floor"));
-  constexpr int kScans = 2000;
+/// Ranges to a wall 0.4 m ahead and one 2 m to the left, scan by scan.
+struct Readings {
   std::vector<double> near;
   std::vector<double> far;
-  double product = 0.0;
-  for (int i = 0; i < kScans; ++i) {
+};
+
+Readings readings(const char* profile, int scans) {
+  Burger burger(with_walls({facing({-0.032, 0.0}, 0.0, 0.4, 0.05), facing({-0.032, 0.0}, 0.5 * kPi, 2.0, 0.05)}), {},
+                Burger::noise(profile));
+  Readings got;
+  for (int i = 0; i < scans; ++i) {
     const LaserScan scan = burger.scan();
-    near.push_back(scan.ranges[0]);
-    far.push_back(scan.ranges[90]);
-    product += (near.back() - 0.4) / 0.005 * (far.back() - 2.0) / 0.0334;
+    got.near.push_back(scan.ranges[0]);
+    got.far.push_back(scan.ranges[90]);
     EXPECT_EQ(scan.ranges[180], kNothing);
   }
-  const Moments at_near = moments(near);
-  EXPECT_NEAR(at_near.mean, 0.4, 4.0 * 0.005 / std::sqrt(kScans));
-  EXPECT_NEAR(at_near.deviation, 0.005, 0.0004);
-  const Moments at_far = moments(far);
-  EXPECT_NEAR(at_far.mean, 2.0, 4.0 * 0.0334 / std::sqrt(kScans));
-  EXPECT_NEAR(at_far.deviation, 0.0334, 0.003);
+  return got;
+}
+
+TEST(LidarNoiseTest, IsACentimetreOnAHardFloor) {
+  constexpr int kScans = 2000;
+  const Readings got = readings("hard-floor", kScans);
+  const Moments at_far = moments(got.far);
+  EXPECT_NEAR(at_far.mean, 2.0, 4.0 * 0.01 / std::sqrt(kScans));
+  EXPECT_NEAR(at_far.deviation, 0.01, 0.001);
+  double product = 0.0;
+  for (std::size_t i = 0; i < got.far.size(); ++i) product += (got.near[i] - 0.4) / 0.01 * (got.far[i] - 2.0) / 0.01;
   EXPECT_NEAR(product / kScans, 0.0, 4.0 / std::sqrt(kScans)) << "beams err independently";
+}
+
+TEST(LidarNoiseTest, GrowsWithTheRangeWhereTheProfileSaysSo) {
+  const Readings got = readings("carpet", 2000);
+  EXPECT_NEAR(moments(got.near).deviation, 0.4 * 0.0167, 0.0006);
+  EXPECT_NEAR(moments(got.far).deviation, 2.0 * 0.0167, 0.003);
+}
+
+TEST(LidarNoiseTest, StaysWithinTheDataSheetsAccuracy) {
+  for (const char* profile : {"hard-floor", "carpet"}) {
+    const Readings got = readings(profile, 3000);
+    const auto [nearest, near_most] = std::ranges::minmax(got.near);
+    EXPECT_GE(nearest, 0.4 - 0.015 - 1e-6) << profile;
+    EXPECT_LE(near_most, 0.4 + 0.015 + 1e-6) << profile;
+    const auto [far_least, far_most] = std::ranges::minmax(got.far);
+    EXPECT_GE(far_least, 1.9 - 1e-6) << profile;
+    EXPECT_LE(far_most, 2.1 + 1e-6) << profile;
+  }
 }
 
 TEST(LidarNoiseTest, IsNoneOnAPerfectRobot) {

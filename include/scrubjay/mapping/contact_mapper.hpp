@@ -10,8 +10,11 @@ namespace scrubjay {
 
 class ContactMapper final : public Mapper {
  public:
-  ContactMapper(const RobotModel& robot, double resolution, const ContactModelParams& params = {})
-      : model_(robot, params), map_(resolution) {}
+  /// The map covers `reach` [m] around its origin from the start, and grows from there; what comes out is the same.
+  ContactMapper(const RobotModel& robot, double resolution, const ContactModelParams& params = {}, double reach = 0.0)
+      : model_(robot, params), map_(resolution) {
+    if (reach > 0.0) map_.cover(Point2(0.0, 0.0), reach);
+  }
 
   void update(const Frame& frame, const PoseEstimate& estimate) override {
     changed_ = {};

@@ -20,8 +20,11 @@ namespace scrubjay {
 /// noise of LDS-01: more for hits makes walls whole that few scans saw, and thick, so that the floor beside them is
 /// lost; more for misses, the reverse.
 struct LidarMapperParams {
-  double hit = 0.70;            ///< where a beam ended; above 0.5. From 0.66 on, one return makes an obstacle
-  double miss = 0.32;           ///< what a beam went through; below 0.5. Twice makes free floor
+  double hit = 0.70;   ///< where a beam ended; above 0.5. From 0.66 on, one return makes an obstacle
+  double miss = 0.32;  ///< what a beam went through; below 0.5. Twice makes free floor
+  /// Hits go into the map this far behind the beam's end [cells]: the noise of ranges scatters them to both sides of a
+  /// surface, and where that lies on a border of cells, the floor before it is to stay free.
+  double hit_depth = 0.2;
   double max_range = 20.0;      ///< returns from farther away only clear what the beam went through, up to here [m]
   double forward_cone = kPi;    ///< only beams within this of straight ahead, either way, are used [rad]
   double robot_radius = 0.105;  ///< floor that the robot stands on is free; 0: says nothing [m]
@@ -38,8 +41,9 @@ struct LidarMapperParams {
 /// free, whatever a beam says; they, too, hear of it once a scan.
 class LidarMapper final : public Mapper {
  public:
+  /// The map covers `reach` [m] around its origin from the start, and grows from there; what comes out is the same.
   /// Throws Error for a robot without a lidar, and for parameters out of their range.
-  LidarMapper(const RobotModel& robot, double resolution, const LidarMapperParams& params = {});
+  LidarMapper(const RobotModel& robot, double resolution, const LidarMapperParams& params = {}, double reach = 0.0);
 
   /// Frames without a scan change nothing. Throws Error if the pose is not finite or too far away to have a map.
   void update(const Frame& frame, const PoseEstimate& estimate) override;

@@ -22,6 +22,7 @@ struct ScanPointsParams {
   /// Returns from farther away are beams that are clear up to here [m].
   double max_range = std::numeric_limits<double>::infinity();
   double forward_cone = kPi;  ///< only beams within this of straight ahead, either way, are used [rad]
+  double hit_depth = 0.0;     ///< a hit's end is put this much farther away than it was measured [m]
 };
 
 /// Works out a lidar's beams, scan by scan. Bearings are computed once, and again only when the scans change shape.

@@ -27,11 +27,12 @@ std::string_view to_string(Ended ended);
 
 struct Report {
   Ended ended = Ended::RobotGone;
-  double time = 0.0;            ///< from the first frame to the last [s]
-  double distance = 0.0;        ///< driven, by the wheels [m]
-  std::uint64_t bumps = 0;      ///< times that the bumper closed
-  Pose2 pose;                   ///< where the robot thinks that it is
-  std::optional<Point2> stuck;  ///< where it can't free itself
+  double time = 0.0;                ///< from the first frame to the last [s]
+  double distance = 0.0;            ///< driven, by the wheels or the robot's own odometry [m]
+  std::uint64_t bumps = 0;          ///< times that the bumper closed
+  Pose2 pose;                       ///< where the robot thinks that it is
+  std::optional<Point2> stuck;      ///< where it can't free itself
+  std::vector<Leftover> leftovers;  ///< what the behavior would have gone to, and hasn't
 };
 
 /// Runs until the behavior is done, a limit is reached, the robot is gone or stuck, or somebody asks it to stop. The
@@ -59,6 +60,7 @@ class Mission {
   std::vector<Observer*> observers_;
   Report report_;
   std::optional<double> first_stamp_;
+  std::optional<Pose2> last_odometry_;
   bool was_bumped_ = false;
 };
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <scrubjay/behavior/behavior.hpp>
+#include <scrubjay/geometry/bounds.hpp>
 #include <scrubjay/geometry/random.hpp>
 #include <scrubjay/robot/robot_model.hpp>
 #include <string_view>
@@ -11,10 +13,23 @@
 
 namespace scrubjay {
 
+/// What a strategy is made for.
+struct StrategySetting {
+  RobotModel robot{};
+  Random random{0};
+  std::optional<Bounds2> within{};  ///< floor to stay on, for those that plan
+  bool return_home = false;         ///< drive back to the start once done
+};
+
 /// From the one that knows least to the one that knows most.
 std::vector<std::string_view> strategy_names();
+/// Those that a robot has the senses for.
+std::vector<std::string_view> strategy_names(const RobotModel& robot);
+/// `frontiers` with a lidar, `contact-frontier` without.
+std::string_view default_strategy(const RobotModel& robot);
 
-/// Throws Error that lists the known ones, and the nearest, for a name that isn't one.
-std::unique_ptr<Behavior> make_strategy(std::string_view name, const RobotModel& robot, const Random& random);
+/// Throws Error that lists the known ones, and the nearest, for a name that isn't one; and one that says what is
+/// missing for a robot that hasn't the senses.
+std::unique_ptr<Behavior> make_strategy(std::string_view name, const StrategySetting& setting);
 
 }  // namespace scrubjay

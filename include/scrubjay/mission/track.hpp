@@ -8,13 +8,16 @@
 
 namespace scrubjay {
 
-/// Keeps ten poses a second, and every bump.
+/// Keeps ten poses a second unless told otherwise, and every bump.
 class Track final : public Observer {
  public:
   static constexpr double kInterval = 0.1;  ///< [s]
 
+  /// `interval`: the least time between two poses [s]; 0 keeps every frame's.
+  explicit Track(double interval = kInterval) : interval_(interval) {}
+
   void notify(const Snapshot& now) override {
-    if (points_.empty() || now.frame.stamp - points_.back().stamp >= kInterval - 1e-9) {
+    if (points_.empty() || now.frame.stamp - points_.back().stamp >= interval_ - 1e-9) {
       points_.push_back({now.frame.stamp, now.estimate.pose});
     }
     if (now.frame.bumped() && !was_bumped_) bumps_.push_back(now.estimate.pose);
@@ -25,6 +28,7 @@ class Track final : public Observer {
   const std::vector<Pose2>& bumps() const { return bumps_; }  ///< poses of the robot when it bumped
 
  private:
+  double interval_;
   std::vector<StampedPose> points_;
   std::vector<Pose2> bumps_;
   bool was_bumped_ = false;

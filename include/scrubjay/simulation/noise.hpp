@@ -33,8 +33,8 @@ struct NoiseProfile {
   double bump_kick = 0.0;          ///< standard deviation of the turn that a bump gives [rad]
   double light_noise = 0.0;        ///< standard deviation of a light signal, as a share of it
   double light_floor_noise = 0.0;  ///< ... and in counts
-  double lidar_near_noise = 0.0;   ///< standard deviation of a lidar's range below kLidarNear [m]
-  double lidar_noise = 0.0;        ///< ... from there on, as a share of the range
+  double lidar_noise = 0.0;        ///< standard deviation of a lidar's range, whatever it is [m] ...
+  double lidar_noise_share = 0.0;  ///< ... and what it grows by, as a share of the range; within LidarModel's accuracy
   // How the floor and the wheels behave.
   double carpet_slip = 0.0;     ///< share of the world's carpets' own slip that takes effect
   double push_slip = 0.0;       ///< share of the wheels' turning that goes on while something blocks the robot
@@ -42,9 +42,6 @@ struct NoiseProfile {
   double speed_step = 0.0;      ///< wheel speeds of a robot with an Open Interface come in steps of this [m/s]
   double speed_deadband = 0.0;  ///< ... and those below this are none [m/s]
 };
-
-/// Where the data sheet of the LDS-01 changes from an error in metres to one in per cent [m].
-inline constexpr double kLidarNear = 0.5;
 
 /// The errors that one robot has in one run.
 struct SystematicErrors {
