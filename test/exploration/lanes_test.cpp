@@ -3,7 +3,7 @@
 #include <cmath>
 #include <scrubjay/exploration/lanes.hpp>
 
-#include "planning/drawn_map.hpp"
+#include "planning/map_drawing.hpp"
 
 namespace scrubjay::test {
 namespace {
@@ -38,7 +38,7 @@ class LaneTest : public testing::Test {
   }
   Occupancy at(const Point2& p) const { return trinary(map->view()[map->view().geometry.cell_at(p)]); }
 
-  std::optional<DrawnMap> map;
+  std::optional<MapDrawing> map;
   std::optional<SweepGain> gain;
   std::optional<CostMap> costs;
   std::optional<Bounds2> within;
@@ -131,7 +131,7 @@ TEST_F(LaneTest, ASpeckIsWorthADriveOnlyIfItIsLargeEnough) {
         "#......#",  //
         "#......#",  //
         "########"});
-  DrawnMap specked = *map;
+  MapDrawing specked = *map;
   specked.set({{17, 10}, {19, 12}}, '?');
   gain->update(specked.view(), specked.all());
   const auto found = spot();

@@ -2,7 +2,7 @@
 
 #include <scrubjay/exploration/leftover_borders.hpp>
 
-#include "planning/drawn_map.hpp"
+#include "planning/map_drawing.hpp"
 
 namespace scrubjay::test {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 /// A map of `scale` x `scale` cells a character with the robot at 'r'.
 std::vector<Leftover> leftovers_of(const std::vector<std::string>& rows, const SweepGainParams& params = {},
                                    const std::vector<CellIndex>& tried = {}, int scale = 4) {
-  const DrawnMap map(rows, 0.05, scale);
+  const MapDrawing map(rows, 0.05, scale);
   SweepGain gain(params);
   gain.update(map.view(), map.all());
   for (const CellIndex cell : tried) {

@@ -4,26 +4,26 @@
 #include <scrubjay/geometry/random.hpp>
 #include <scrubjay/mapping/growing_map.hpp>
 
-#include "planning/drawn_map.hpp"
+#include "planning/map_drawing.hpp"
 
 namespace scrubjay::test {
 namespace {
 
-SweepGain gain_of(const DrawnMap& map, const SweepGainParams& params = {}) {
+SweepGain gain_of(const MapDrawing& map, const SweepGainParams& params = {}) {
   SweepGain gain(params);
   gain.update(map.view(), map.all());
   return gain;
 }
 
 TEST(SweepGainTest, CountsTheUnknownCellsUnderADisc) {
-  const DrawnMap map({"..........",  //
-                      "..........",  //
-                      "..........",  //
-                      "....a?....",  //
-                      "....??....",  //
-                      "..........",  //
-                      "..........",  //
-                      "........b."});
+  const MapDrawing map({"..........",  //
+                        "..........",  //
+                        "..........",  //
+                        "....a?....",  //
+                        "....??....",  //
+                        "..........",  //
+                        "..........",  //
+                        "........b."});
   const SweepGain gain = gain_of(map);
   EXPECT_EQ(gain.gain(map.cell('a')), 3);
   EXPECT_EQ(gain.gain(map.cell('b')), 0);
@@ -31,10 +31,10 @@ TEST(SweepGainTest, CountsTheUnknownCellsUnderADisc) {
 }
 
 TEST(SweepGainTest, UnknownFloorAtAWallIsNotWanted) {
-  const DrawnMap map({"#####",  //
-                      "?????",  //
-                      "?????",  //
-                      "....."});
+  const MapDrawing map({"#####",  //
+                        "?????",  //
+                        "?????",  //
+                        "....."});
   const SweepGain gain = gain_of(map);
   EXPECT_FALSE(gain.wanted({2, 2}));
   EXPECT_TRUE(gain.wanted({2, 1}));
@@ -42,9 +42,9 @@ TEST(SweepGainTest, UnknownFloorAtAWallIsNotWanted) {
 }
 
 TEST(SweepGainTest, GivesUpWhatWasTriedInVain) {
-  DrawnMap map({".....",  //
-                ".u?..",  //
-                "....."});
+  MapDrawing map({".....",  //
+                  ".u?..",  //
+                  "....."});
   map.set({map.cell('u'), {2, 2}}, '?');
   SweepGain gain = gain_of(map);
   for (int i = 0; i < SweepGainParams{}.tries; ++i) {
@@ -63,7 +63,7 @@ TEST(SweepGainTest, GivesUpWhatWasTriedInVain) {
 }
 
 TEST(SweepGainTest, NothingIsWantedOutOfBounds) {
-  const DrawnMap map({"??????", "??????"});
+  const MapDrawing map({"??????", "??????"});
   SweepGainParams params;
   params.within = Bounds2{{0.0, 0.0}, {0.15, 1.0}};
   const SweepGain gain = gain_of(map, params);
@@ -73,7 +73,7 @@ TEST(SweepGainTest, NothingIsWantedOutOfBounds) {
 }
 
 TEST(SweepGainTest, CountsWhatBecomesFree) {
-  DrawnMap map({"????", "????"});
+  MapDrawing map({"????", "????"});
   SweepGain gain = gain_of(map);
   map.set({{1, 0}, {3, 2}}, '.');
   gain.update(map.view(), {{1, 0}, {3, 2}});
@@ -81,7 +81,7 @@ TEST(SweepGainTest, CountsWhatBecomesFree) {
 }
 
 TEST(SweepGainTest, CountsTheWallsThatItWasSureOfAndThoseThatAreNoneAnyMore) {
-  DrawnMap map({"....", "....", "...."});
+  MapDrawing map({"....", "....", "...."});
   SweepGain gain = gain_of(map);
   const auto make = [&](CellIndex cell, LogOdds value) {
     map.view()[cell] = value;

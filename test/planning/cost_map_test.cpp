@@ -5,12 +5,12 @@
 #include <scrubjay/geometry/random.hpp>
 #include <scrubjay/planning/cost_map.hpp>
 
-#include "planning/drawn_map.hpp"
+#include "planning/map_drawing.hpp"
 
 namespace scrubjay {
 namespace {
 
-using test::DrawnMap;
+using test::MapDrawing;
 
 CostMapParams burger() {
   return {};
@@ -117,7 +117,7 @@ TEST(CostMapTest, IsTheSameHoweverItCameToBe) {
 
 TEST(CostMapTest, SaysWhereCostsMayHaveChanged) {
   Random random(3);
-  DrawnMap map(std::vector<std::string>(60, std::string(80, '.')));
+  MapDrawing map(std::vector<std::string>(60, std::string(80, '.')));
   CostMap costs = built(map.view(), roomba());
   for (int round = 0; round < 50; ++round) {
     const std::vector<TravelCost> before = cells(costs);
@@ -134,7 +134,7 @@ TEST(CostMapTest, SaysWhereCostsMayHaveChanged) {
 }
 
 TEST(CostMapTest, ChangesNothingWhereOnlyCertaintyGrew) {
-  DrawnMap map({"#######", "#.....#", "#.....#", "#######"}, 0.05, 10);
+  MapDrawing map({"#######", "#.....#", "#.....#", "#######"}, 0.05, 10);
   CostMap costs = built(map.view(), burger());
   for (std::size_t i = 0; i < map.view().geometry.size(); ++i) {
     LogOdds& cell = map.view().cells[i];
@@ -148,7 +148,7 @@ TEST(CostMapTest, ChangesNothingWhereOnlyCertaintyGrew) {
 }
 
 TEST(CostMapTest, UnknownFloorIsAnObstacleUnlessTheWayMayLeadThroughIt) {
-  const DrawnMap map({"...?...", "...?...", "...?..."}, 0.05, 10);
+  const MapDrawing map({"...?...", "...?...", "...?..."}, 0.05, 10);
   EXPECT_FALSE(built(map.view(), burger()).passable({35, 15}));
   CostMapParams bold = burger();
   bold.through_unknown = true;
@@ -157,7 +157,7 @@ TEST(CostMapTest, UnknownFloorIsAnObstacleUnlessTheWayMayLeadThroughIt) {
 
 TEST(CostMapTest, NarrowestGapsThatAreDocumented) {
   const auto passes = [](const CostMapParams& params, std::int32_t gap) {
-    DrawnMap map(std::vector<std::string>(41, std::string(60, '.')));
+    MapDrawing map(std::vector<std::string>(41, std::string(60, '.')));
     map.set({{0, 20}, {60, 21}}, '#');
     map.set({{30, 20}, {30 + gap, 21}}, '.');
     const CostMap costs = built(map.view(), params);
@@ -172,7 +172,7 @@ TEST(CostMapTest, NarrowestGapsThatAreDocumented) {
 
 TEST(CostMapTest, ThereIsNoWayOutOfBounds) {
   for (CostMapParams params : {burger(), roomba(true)}) {
-    const DrawnMap map({"......", "......", "......", "......", "......"}, 0.05);
+    const MapDrawing map({"......", "......", "......", "......", "......"}, 0.05);
     const CostMap open = built(map.view(), params);
     params.within = Bounds2{{0.1, 0.05}, {0.2, 0.2}};
     const CostMap fenced = built(map.view(), params);
@@ -189,7 +189,7 @@ TEST(CostMapTest, TakesAnEmptyMapAndOneThatBegins) {
   CostMap costs(burger());
   EXPECT_TRUE(costs.update({{0.05, {0.0, 0.0}, 0, 0}, nullptr}, {}).empty());
   EXPECT_FALSE(costs.passable({0, 0}));
-  const DrawnMap map({"."}, 0.05, 31);
+  const MapDrawing map({"."}, 0.05, 31);
   // Whatever is said to have changed: nothing was known.
   EXPECT_EQ(costs.update(map.view(), {}), map.all());
   EXPECT_TRUE(costs.passable({15, 15}));
@@ -199,7 +199,7 @@ TEST(CostMapTest, RefusesAReachOfMoreCellsThanItCounts) {
   CostMapParams params;
   params.comfort = 30.0;
   CostMap costs(params);
-  const DrawnMap map({"..."});
+  const MapDrawing map({"..."});
   EXPECT_THROW(costs.update(map.view(), map.all()), Error);
 }
 

@@ -8,20 +8,20 @@
 #include <string>
 #include <vector>
 
-#include "planning/drawn_map.hpp"
 #include "planning/ideal_drive.hpp"
+#include "planning/map_drawing.hpp"
 
 namespace scrubjay::test {
 
 /// Sees, each tick, the true cells within `sight` of it; walls stop its wheels, as a wall does.
 class House {
  public:
-  House(const RobotModel& robot, DrawnMap truth, DrawnMap known, const Pose2& start, double sight = 1.0)
+  House(const RobotModel& robot, MapDrawing truth, MapDrawing known, const Pose2& start, double sight = 1.0)
       : robot_(robot), truth_(std::move(truth)), known_(std::move(known)), drive_(robot, start), sight_(sight) {
     changed_ = known_.all();
   }
 
-  DrawnMap& truth() { return truth_; }
+  MapDrawing& truth() { return truth_; }
   /// Changes the house, and the robot knows at once.
   void change_openly(const CellRect& cells, char mark) {
     truth_.set(cells, mark);
@@ -77,8 +77,8 @@ class House {
   }
 
   RobotModel robot_;
-  DrawnMap truth_;
-  DrawnMap known_;
+  MapDrawing truth_;
+  MapDrawing known_;
   CellRect changed_;
   IdealDrive drive_;
   double sight_;

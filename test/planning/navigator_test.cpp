@@ -10,17 +10,17 @@
 namespace scrubjay {
 namespace {
 
-using test::DrawnMap;
 using test::House;
+using test::MapDrawing;
 
 using Rows = std::vector<std::string>;
 constexpr int kScale = 10;  // characters of half a metre
 
-DrawnMap drawn(const Rows& rows) {
-  return DrawnMap(rows, 0.05, kScale);
+MapDrawing drawn(const Rows& rows) {
+  return MapDrawing(rows, 0.05, kScale);
 }
 
-Pose2 at(const DrawnMap& map, char mark, double yaw = 0.0) {
+Pose2 at(const MapDrawing& map, char mark, double yaw = 0.0) {
   return {map.point(mark).x(), map.point(mark).y(), yaw};
 }
 
@@ -76,7 +76,7 @@ const Rows kTwoRooms{"############",  //
 
 TEST(NavigatorTest, DrivesThroughADoor) {
   for (const RobotModel& robot : {test::burger(), test::roomba()}) {
-    const DrawnMap map = drawn(kTwoRooms);
+    const MapDrawing map = drawn(kTwoRooms);
     House house(robot, map, map, at(map, 'a'));
     CostMap costs = costs_for(robot);
     Navigator navigator(robot);
@@ -97,7 +97,7 @@ TEST(NavigatorTest, DrivesThroughADoor) {
 
 TEST(NavigatorTest, PassesADoorOfThreeQuartersOfAMetre) {
   const RobotModel robot = test::roomba();
-  DrawnMap map = drawn({"#######", "#..#..#", "#a.#.b#", "#..#..#", "#######"});
+  MapDrawing map = drawn({"#######", "#..#..#", "#a.#.b#", "#..#..#", "#######"});
   map.set({{30, 18}, {40, 33}}, '.');
   House house(robot, map, map, at(map, 'a', 2.0));
   CostMap costs = costs_for(robot);
@@ -108,7 +108,7 @@ TEST(NavigatorTest, PassesADoorOfThreeQuartersOfAMetre) {
 }
 
 TEST(NavigatorTest, HasArrivedWhereItIs) {
-  const DrawnMap map = drawn(kTwoRooms);
+  const MapDrawing map = drawn(kTwoRooms);
   const RobotModel robot = test::burger();
   House house(robot, map, map, at(map, 'a'));
   CostMap costs = costs_for(robot);
@@ -122,7 +122,7 @@ TEST(NavigatorTest, HasArrivedWhereItIs) {
 
 TEST(NavigatorTest, SaysWhenThereIsNoWay) {
   const RobotModel robot = test::burger();
-  const DrawnMap map = drawn({"#########", "#.a.#.b.#", "#########"});
+  const MapDrawing map = drawn({"#########", "#.a.#.b.#", "#########"});
   House house(robot, map, map, at(map, 'a'));
   CostMap costs = costs_for(robot);
   Navigator navigator(robot);
@@ -140,7 +140,7 @@ TEST(NavigatorTest, GoesAroundAWallThatItSeesOnlyOnTheWay) {
                      "#..........#", "#..........#", "############"};
     const Rows walled{"############", "#..........#", "#.....#....#", "#.a...#..b.#",
                       "#.....#....#", "#.....#....#", "############"};
-    const DrawnMap truth = drawn(walled);
+    const MapDrawing truth = drawn(walled);
     House house(robot, truth, drawn(empty), at(truth, 'a'), 0.6);
     CostMap costs = costs_for(robot);
     Navigator navigator(robot);
@@ -154,7 +154,7 @@ TEST(NavigatorTest, GoesAroundAWallThatItSeesOnlyOnTheWay) {
 
 TEST(NavigatorTest, GetsAwayFromAWallThatItStandsTooNearTo) {
   for (const RobotModel& robot : {test::burger(), test::roomba()}) {
-    const DrawnMap map = drawn(kTwoRooms);
+    const MapDrawing map = drawn(kTwoRooms);
     Pose2 start = at(map, 'a', kPi);
     start.x = 0.5 + robot.radius + 0.005;  // its shell almost touches the left wall
     House house(robot, map, map, start);
@@ -168,7 +168,7 @@ TEST(NavigatorTest, GetsAwayFromAWallThatItStandsTooNearTo) {
 TEST(NavigatorTest, KeepsItsPathWhenAShorterOneAppears) {
   const RobotModel robot = test::burger();
   const Rows closed{"##########", "#........#", "#.######.#", "#.a....b##", "#.######.#", "#........#", "##########"};
-  DrawnMap map =
+  MapDrawing map =
       drawn({"##########", "#........#", "#..####..#", "#.a#..#b.#", "#..####..#", "#........#", "##########"});
   House house(robot, map, map, at(map, 'a'));
   CostMap costs = costs_for(robot);
@@ -187,8 +187,8 @@ TEST(NavigatorTest, KeepsItsPathWhenAShorterOneAppears) {
 
 TEST(NavigatorTest, StallsAgainstWhatTheMapDoesntShow) {
   const RobotModel robot = test::roomba();
-  const DrawnMap map = drawn({"##########", "#.a.....b#", "##########"});
-  DrawnMap truth = map;
+  const MapDrawing map = drawn({"##########", "#.a.....b#", "##########"});
+  MapDrawing truth = map;
   truth.set({{50, 10}, {52, 20}}, '#');
   House house(robot, truth, map, at(map, 'a'), 0.01);
   CostMap costs = costs_for(robot);
@@ -201,7 +201,7 @@ TEST(NavigatorTest, StallsAgainstWhatTheMapDoesntShow) {
 
 TEST(NavigatorTest, StallsWhenItIsSentToAndFro) {
   const RobotModel robot = test::burger();
-  const DrawnMap map =
+  const MapDrawing map =
       drawn({"###########", "#....c....#", "#.#######.#", "#.#######.#", "#.#######.#", "#....a....#", "###########"});
   House house(robot, map, map, at(map, 'a'));
   CostMap costs = costs_for(robot);
@@ -229,7 +229,7 @@ TEST(NavigatorTest, StallsWhenItIsSentToAndFro) {
 
 TEST(NavigatorTest, GoesAlongAWayThatWasFoundForIt) {
   const RobotModel robot = test::burger();
-  const DrawnMap map = drawn(kTwoRooms);
+  const MapDrawing map = drawn(kTwoRooms);
   House house(robot, map, map, at(map, 'a'));
   CostMap costs = costs_for(robot);
   costs.update(map.view(), map.all());
@@ -244,8 +244,8 @@ TEST(NavigatorTest, GoesAlongAWayThatWasFoundForIt) {
 
 TEST(NavigatorTest, DrivesOverUnknownFloorWhereItMay) {
   const RobotModel robot = test::roomba();
-  const DrawnMap truth = drawn({"##########", "#.a.....b#", "##########"});
-  const DrawnMap known = drawn({"??????????", "?.a??????.", "??????????"});
+  const MapDrawing truth = drawn({"##########", "#.a.....b#", "##########"});
+  const MapDrawing known = drawn({"??????????", "?.a??????.", "??????????"});
   for (const bool bold : {false, true}) {
     House house(robot, truth, known, at(truth, 'a'), 0.01);
     CostMap costs = costs_for(robot, bold);
@@ -257,7 +257,7 @@ TEST(NavigatorTest, DrivesOverUnknownFloorWhereItMay) {
 
 TEST(NavigatorTest, DoesTheSameEachTime) {
   const RobotModel robot = test::roomba();
-  const DrawnMap map = drawn(kTwoRooms);
+  const MapDrawing map = drawn(kTwoRooms);
   const auto end = [&] {
     House house(robot, map, map, at(map, 'a', 1.0));
     CostMap costs = costs_for(robot);

@@ -6,12 +6,12 @@
 #include <scrubjay/geometry/random.hpp>
 #include <scrubjay/planning/path_search.hpp>
 
-#include "planning/drawn_map.hpp"
+#include "planning/map_drawing.hpp"
 
 namespace scrubjay {
 namespace {
 
-using test::DrawnMap;
+using test::MapDrawing;
 
 struct Costs {
   GridGeometry grid;
@@ -219,9 +219,9 @@ TEST(PathSearchTest, GivesTheSamePathWhateverItSearchedBefore) {
 }
 
 TEST(PathSearchTest, CutsNoCorners) {
-  const DrawnMap map({"...b",  //
-                      ".##.",  //
-                      "a..."});
+  const MapDrawing map({"...b",  //
+                        ".##.",  //
+                        "a..."});
   CostMapParams params;
   params.radius = params.margin = 0.02;
   params.comfort = 0.0;
@@ -233,7 +233,7 @@ TEST(PathSearchTest, CutsNoCorners) {
 }
 
 TEST(PathSearchTest, NoPathLeadsIntoAWallNorOutOfTheMap) {
-  const DrawnMap map({"a.#.b"}, 0.05, 20);
+  const MapDrawing map({"a.#.b"}, 0.05, 20);
   CostMap costs{{}};
   costs.update(map.view(), map.all());
   PathSearch search;
@@ -248,14 +248,14 @@ TEST(PathSearchTest, NoPathLeadsIntoAWallNorOutOfTheMap) {
 }
 
 /// A room that a wall cuts in two, with a door far away; the disc stands at 'a', too near to the wall.
-DrawnMap cut_room() {
-  DrawnMap map({std::string(40, '.')}, 0.05, 40);
+MapDrawing cut_room() {
+  MapDrawing map({std::string(40, '.')}, 0.05, 40);
   map.set({{0, 20}, {1500, 21}}, '#');
   return map;
 }
 
 TEST(PathSearchTest, LetsTheDiscOutOnItsOwnSideOfTheWall) {
-  const DrawnMap map = cut_room();
+  const MapDrawing map = cut_room();
   CostMap costs{{}};
   costs.update(map.view(), map.all());
   const CellIndex from{100, 18};
@@ -281,7 +281,7 @@ TEST(PathSearchTest, RefusesAMapThatIsTooWideForIt) {
 }
 
 TEST(PathSearchTest, LetsTheDiscOutForNothing) {
-  const DrawnMap map = cut_room();
+  const MapDrawing map = cut_room();
   CostMap costs{{}};
   costs.update(map.view(), map.all());
   PathSearch search(0.21);
@@ -291,7 +291,7 @@ TEST(PathSearchTest, LetsTheDiscOutForNothing) {
 }
 
 TEST(PathSearchTest, DoesNotLetTheDiscOutThroughAWall) {
-  DrawnMap map = cut_room();
+  MapDrawing map = cut_room();
   map.set({{0, 20}, {1600, 21}}, '#');
   CostMap costs{{}};
   costs.update(map.view(), map.all());

@@ -11,8 +11,8 @@
 namespace scrubjay {
 namespace {
 
-using test::DrawnMap;
 using test::House;
+using test::MapDrawing;
 
 /// Drives somewhere and is done, with one thing left.
 class Errand final : public Behavior {
@@ -69,7 +69,7 @@ const std::vector<std::string> kRooms{"############",  //
 
 TEST(ReturnHomeTest, ComesBackToWhereItBegan) {
   for (const RobotModel& robot : {test::burger(), test::roomba()}) {
-    const DrawnMap map(kRooms, 0.05, 10);
+    const MapDrawing map(kRooms, 0.05, 10);
     const Pose2 start{map.point('a').x(), map.point('a').y(), 2.0};
     House house(robot, map, map, start);
     ReturnHome behavior(robot, std::make_unique<Errand>(robot, map.point('b')));
@@ -89,7 +89,7 @@ TEST(ReturnHomeTest, ComesBackToWhereItBegan) {
 
 TEST(ReturnHomeTest, SaysSoIfThereIsNoWayBack) {
   const RobotModel robot = test::burger();
-  const DrawnMap map(kRooms, 0.05, 10);
+  const MapDrawing map(kRooms, 0.05, 10);
   House house(robot, map, map, {map.point('a').x(), map.point('a').y(), 0.0}, 5.0);
   ReturnHome behavior(robot, std::make_unique<Errand>(robot, map.point('b')));
   const Homecoming result = run(house, behavior, [&] { house.truth().set({{50, 0}, {60, 50}}, '#'); });
@@ -101,7 +101,7 @@ TEST(ReturnHomeTest, SaysSoIfThereIsNoWayBack) {
 
 TEST(ReturnHomeTest, SaysSoIfItIsHeldUp) {
   const RobotModel robot = test::roomba();
-  const DrawnMap map(kRooms, 0.05, 10);
+  const MapDrawing map(kRooms, 0.05, 10);
   House house(robot, map, map, {map.point('a').x(), map.point('a').y(), 0.0}, 0.01);
   ReturnHome behavior(robot, std::make_unique<Errand>(robot, map.point('b')));
   const Homecoming result = run(house, behavior, [&] { house.truth().set({{50, 0}, {60, 50}}, '#'); });
@@ -112,7 +112,7 @@ TEST(ReturnHomeTest, SaysSoIfItIsHeldUp) {
 
 TEST(ReturnHomeTest, BacksOffFromWhatItBumpsInto) {
   const RobotModel robot = test::roomba();
-  const DrawnMap map(kRooms, 0.05, 10);
+  const MapDrawing map(kRooms, 0.05, 10);
   ReturnHome behavior(robot, std::make_unique<Errand>(robot, map.point('a')));
   Frame frame;
   PoseEstimate estimate;

@@ -4,14 +4,14 @@
 #include <scrubjay/geometry/random.hpp>
 #include <scrubjay/planning/path_search.hpp>
 
-#include "planning/drawn_map.hpp"
+#include "planning/map_drawing.hpp"
 
 namespace scrubjay {
 namespace {
 
-using test::DrawnMap;
+using test::MapDrawing;
 
-CostMap costs_of(const DrawnMap& map, double radius = 0.105) {
+CostMap costs_of(const MapDrawing& map, double radius = 0.105) {
   CostMapParams params;
   params.radius = radius;
   CostMap costs(params);
@@ -40,7 +40,7 @@ TEST(SimplifyTest, StaysPassableAndCostsNoMoreThanItsAllowance) {
   Random random(1);
   int compared = 0;
   for (int round = 0; round < 40; ++round) {
-    DrawnMap map(std::vector<std::string>(90, std::string(90, '.')));
+    MapDrawing map(std::vector<std::string>(90, std::string(90, '.')));
     for (int block = 0; block < 25; ++block) {
       const auto x = static_cast<std::int32_t>(random.below(80));
       const auto y = static_cast<std::int32_t>(random.below(80));
@@ -73,14 +73,14 @@ TEST(SimplifyTest, StaysPassableAndCostsNoMoreThanItsAllowance) {
 }
 
 TEST(SimplifyTest, MakesOneLineOfAnOpenRoom) {
-  const DrawnMap map({"..........", ".a........", "..........", "........b.", ".........."}, 0.05, 20);
+  const MapDrawing map({"..........", ".a........", "..........", "........b.", ".........."}, 0.05, 20);
   const CostMap costs = costs_of(map);
   const std::vector<CellIndex> path = PathSearch().find(costs.view(), map.cell('a'), map.cell('b'));
   EXPECT_EQ(simplify(costs.view(), path), (std::vector<Point2>{map.point('a'), map.point('b')}));
 }
 
 TEST(SimplifyTest, TakesTheCornersOfARoomWithAWallInIt) {
-  const DrawnMap map({"..........", "....##....", ".a..##..b.", "....##....", "....##...."}, 0.05, 20);
+  const MapDrawing map({"..........", "....##....", ".a..##..b.", "....##....", "....##...."}, 0.05, 20);
   const CostMap costs = costs_of(map);
   const std::vector<CellIndex> path = PathSearch().find(costs.view(), map.cell('a'), map.cell('b'));
   const std::vector<Point2> corners = simplify(costs.view(), path);
@@ -89,14 +89,14 @@ TEST(SimplifyTest, TakesTheCornersOfARoomWithAWallInIt) {
 }
 
 TEST(SimplifyTest, NothingComesOfNothing) {
-  const DrawnMap map({"..."}, 0.05, 20);
+  const MapDrawing map({"..."}, 0.05, 20);
   const CostMap costs = costs_of(map);
   EXPECT_TRUE(simplify(costs.view(), {}).empty());
   EXPECT_EQ(simplify(costs.view(), {{3, 4}}).size(), 1u);
 }
 
 TEST(SimplifyTest, ALineIsPassableIfAllItsCellsAre) {
-  const DrawnMap map({".....", ".....", "..#..", ".....", "....."}, 0.05, 20);
+  const MapDrawing map({".....", ".....", "..#..", ".....", "....."}, 0.05, 20);
   const CostMap costs = costs_of(map);
   EXPECT_TRUE(line_is_passable(costs.view(), {0.5, 0.5}, {4.5, 0.5}));
   EXPECT_FALSE(line_is_passable(costs.view(), {0.5, 2.5}, {4.5, 2.5}));

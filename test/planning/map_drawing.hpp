@@ -10,10 +10,10 @@
 
 namespace scrubjay::test {
 
-class DrawnMap {
+class MapDrawing {
  public:
   /// Each character makes `scale` x `scale` cells.
-  explicit DrawnMap(const std::vector<std::string>& rows, double resolution = 0.05, int scale = 1)
+  explicit MapDrawing(const std::vector<std::string>& rows, double resolution = 0.05, int scale = 1)
       : rows_(rows), scale_(scale) {
     geometry_.resolution = resolution;
     geometry_.width = scale * static_cast<std::int32_t>(rows.front().size());
