@@ -51,7 +51,7 @@ The map's frame begins at the first scan's pose.
 
 - **Beams.** A \`FLASER\` record doesn't say where its beams point. n of them span 180 degrees from -90 on: 180 beams a
   degree apart without the last bearing, 181 with it; 360 and 361 half a degree apart. GMapping reads them so, and the
-  two logs below agree: of all ways to lay them out this one gives the crispest maps, half a beam's turn or an inch of
+  two logs below agree: of all ways to lay them out this one gives the crispest maps, half a beam's turn or 4 cm of
   offset either way is worse.
 - **Wheels.** A *corrected* log holds the poses of a SLAM; each scan is followed by an \`ODOM\` record that puts the
   odometry back to the scan's pose. The way from one scan to the next is then from that pose to the last \`ODOM\` record
