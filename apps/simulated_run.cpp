@@ -89,7 +89,7 @@ Stage set_stage(const Scenario& scenario) {
   const double radius = stage.robot.model.radius;
   stage.start = scenario.start      ? *scenario.start
                 : stage.world.start ? *stage.world.start
-                                    : roomiest_pose(stage.world, radius);
+                                    : starting_pose(stage.world, radius);
   expect_room(stage.world, stage.index, stage.start, radius);
   return stage;
 }

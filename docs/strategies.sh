@@ -29,7 +29,7 @@ pose by scan matching. Figures are means over seeds 1 to 3. Made by \`./dev stra
 | edge-follow | Roomba | along every edge, once around, then on over unknown floor |
 | contact-frontier | Roomba | edges first, then the open floor in lanes; ends when nothing reachable is unknown |
 | tiles | Burger | to tiles that are partly known, in sight or by way points in sight of each other |
-| frontiers | Burger | to the nearest place, by the way there, where enough floor is unknown; ends when none can be reached |
+| frontiers | Burger | to the frontier with the least way for its length, preferring those beside walls; ends when none can be reached |
 
 The first five and edge-follow are Krapinec's phases (FER Zagreb, 2025), tiles are system B's (Bologna, 2023/24).
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <scrubjay/error.hpp>
 #include <scrubjay/exploration/frontier_explorer.hpp>
+#include <scrubjay/grid/traversal.hpp>
 
 namespace scrubjay {
 namespace {
@@ -111,7 +112,7 @@ void FrontierExplorer::choose(const Situation& now, bool has_looked) {
   chosen_stamp_ = now.frame.stamp;
   list_goals(now);
   if (has_looked) give_up_what_is_here(now);
-  const Goal* best = cheapest_goal();
+  const Goal* best = best_goal();
   const Goal* old = goal_ && !is_seen(now.map, *goal_) ? old_goal() : nullptr;
   if (goal_ && old == nullptr) given_up_.remember_seen(now.map, goal_->middle, now.frame.stamp);
   if (best != nullptr && old != nullptr && best->cost > params_.better * old->cost) return;
@@ -137,9 +138,9 @@ bool FrontierExplorer::squeeze(const Situation& now) {
   return true;
 }
 
-const FrontierExplorer::Goal* FrontierExplorer::cheapest_goal() const {
-  const auto cheaper = [](const Goal& a, const Goal& b) { return a.cost < b.cost; };
-  return goals_.empty() ? nullptr : &*std::min_element(goals_.begin(), goals_.end(), cheaper);
+const FrontierExplorer::Goal* FrontierExplorer::best_goal() const {
+  const auto better = [](const Goal& a, const Goal& b) { return a.score < b.score; };
+  return goals_.empty() ? nullptr : &*std::min_element(goals_.begin(), goals_.end(), better);
 }
 
 // What has become of the goal that the robot drives to, if it is still there.
@@ -198,10 +199,20 @@ bool FrontierExplorer::could_come(GridView<const LogOdds> map, const FrontierPie
 
 void FrontierExplorer::add_goal(const Situation& now, const FrontierPiece& piece, CellIndex view) {
   const GridGeometry& grid = now.map.geometry;
-  Goal goal{{}, grid.center(piece.middle), view, search_.cost_to(view), is_here(now, view)};
+  const double cost = search_.cost_to(view);
+  const double score = way_counts(now.map, view) * cost - params_.gain * piece.length(grid.resolution);
+  Goal goal{{}, grid.center(piece.middle), view, cost, score, is_here(now, view)};
   for (const CellIndex cell : piece.cells) goal.cells.push_back(grid.center(cell));
   goals_.push_back(std::move(goal));
   leave(now, piece, kNotYet);
+}
+
+// What a metre of the way to a place counts: more where nothing is near that scans could be laid over.
+double FrontierExplorer::way_counts(GridView<const LogOdds> map, CellIndex view) const {
+  bool near_obstacle = false;
+  visit_disc(map.geometry, map.geometry.center(view), params_.landmark,
+             [&](CellIndex cell) { near_obstacle = near_obstacle || map[cell] >= kOccupiedLogOdds; });
+  return near_obstacle ? 1.0 : params_.lost;
 }
 
 bool FrontierExplorer::is_here(const Situation& now, CellIndex view) const {

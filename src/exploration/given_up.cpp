@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 #include <scrubjay/exploration/given_up.hpp>
 #include <scrubjay/grid/traversal.hpp>
@@ -17,14 +18,21 @@ GivenUp::Surroundings GivenUp::look(GridView<const LogOdds> map, const Point2& c
   return found;
 }
 
-int GivenUp::count_as_change(GridView<const LogOdds> map) const {
+// A share of the surroundings, in cells.
+int GivenUp::cells(GridView<const LogOdds> map, double share) const {
   const double r = map.geometry.resolution;
-  return static_cast<int>(params_.change * kPi * params_.surroundings * params_.surroundings / (r * r));
+  return static_cast<int>(share * kPi * params_.surroundings * params_.surroundings / (r * r));
 }
 
-bool GivenUp::changed(const Surroundings& then, GridView<const LogOdds> map, const Point2& center) const {
+int GivenUp::wanted_change(GridView<const LogOdds> map, int tries) const {
+  double share = params_.change;
+  for (int i = 1; i < tries && share < params_.most_change; ++i) share *= 2.0;
+  return cells(map, std::min(share, params_.most_change));
+}
+
+bool GivenUp::changed(const Surroundings& then, GridView<const LogOdds> map, const Point2& center, int least) const {
   const Surroundings now = look(map, center);
-  return std::abs(now.free - then.free) + std::abs(now.occupied - then.occupied) > count_as_change(map);
+  return std::abs(now.free - then.free) + std::abs(now.occupied - then.occupied) > least;
 }
 
 bool GivenUp::is_at(const Entry& entry, const Point2& goal) const {
@@ -51,13 +59,15 @@ void GivenUp::remember(GridView<const LogOdds> map, const Point2& goal, const Po
 void GivenUp::remember_seen(GridView<const LogOdds> map, const Point2& goal, double stamp) {
   Entry& entry = entry_at(map, goal);
   const Surroundings around = look(map, entry.goal);
-  if (around.unknown < entry.least_unknown - count_as_change(map)) {
+  if (around.unknown < entry.least_unknown - cells(map, params_.change)) {
     entry.least_unknown = around.unknown;
     entry.visits = 0;
   }
   if (entry.visits > 0 && stamp - entry.visited < params_.visit) return;
   entry.visited = stamp;
-  ++entry.visits;
+  if (++entry.visits < params_.visits) return;
+  entry.visits = 0;
+  remember(map, entry.goal, entry.goal);
 }
 
 void GivenUp::forgive(const Point2& goal) {
@@ -67,9 +77,9 @@ void GivenUp::forgive(const Point2& goal) {
 bool GivenUp::holds(GridView<const LogOdds> map, const Point2& goal) const {
   for (const Entry& entry : entries_) {
     if (!is_at(entry, goal)) continue;
-    if (entry.tries >= params_.tries || entry.visits >= params_.visits) return true;
-    if (entry.tries > 0 && !changed(entry.around_goal, map, entry.goal) &&
-        !changed(entry.around_robot, map, entry.robot)) {
+    const int least = wanted_change(map, entry.tries);
+    if (entry.tries > 0 && !changed(entry.around_goal, map, entry.goal, least) &&
+        !changed(entry.around_robot, map, entry.robot, least)) {
       return true;
     }
   }

@@ -59,12 +59,13 @@ ScanAligner::Slope ScanAligner::slope_at(const Pose2& pose, std::span<const Scan
     const double distance = pairing.line->distance(end);
     const double variance = square(ends[i].noise) + pairing.line->variance;
     if (square(distance) > std::max(near, square(kFarthestSigmas) * variance)) continue;
-    const double weight = 1.0 / (variance + square(distance) * per_square_outlier);
+    const double fit = variance / (variance + square(distance) * per_square_outlier);
+    const double weight = params_.trust * fit / variance;
     const Point2& normal = pairing.line->normal;
     const Eigen::Vector3d by_pose(normal.x(), normal.y(), normal.y() * arm.x() - normal.x() * arm.y());
     sum.information.noalias() += weight * by_pose * by_pose.transpose();
     sum.pull -= weight * distance * by_pose;
-    sum.support += weight * variance;
+    sum.support += fit;
   }
   return sum;
 }

@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <scrubjay/error.hpp>
@@ -7,8 +6,7 @@
 namespace scrubjay {
 namespace {
 
-constexpr double kWindowSigmas = 3.0;    // standard deviations of odometry that the search goes
-constexpr double kLeastVariance = 1e-9;  // the first pose is known for certain, but nothing divides by that
+constexpr double kWindowSigmas = 3.0;  // standard deviations of odometry that the search goes
 
 const LidarModel& lidar_of(const RobotModel& robot) {
   if (!robot.lidar) throw Error("scan matching wants a robot with a lidar; this one has none");
@@ -19,21 +17,6 @@ Point2 turned(const SinCos& turn, const Point2& v) {
   return {turn.cos * v.x() - turn.sin * v.y(), turn.sin * v.x() + turn.cos * v.y()};
 }
 
-double square(double x) {
-  return x * x;
-}
-
-/// Covariance of a pose that `moved` from one of covariance `before` through a motion that errs by `noise`.
-Eigen::Matrix3d spread(const Eigen::Matrix3d& before, const Point2& moved, double way_noise, double turn_noise) {
-  Eigen::Matrix3d shear = Eigen::Matrix3d::Identity();
-  shear(0, 2) = -moved.y();
-  shear(1, 2) = moved.x();
-  const Eigen::Matrix3d carried = shear * before * shear.transpose();
-  Eigen::Matrix3d after = 0.5 * (carried + carried.transpose());  // symmetric to the last bit
-  after.diagonal() += Eigen::Vector3d(square(way_noise), square(way_noise), square(turn_noise));
-  return after;
-}
-
 }  // namespace
 
 ScanMatching::ScanMatching(const RobotModel& robot, const Mapper& mapper, const ScanMatchingParams& params)
@@ -41,6 +24,7 @@ ScanMatching::ScanMatching(const RobotModel& robot, const Mapper& mapper, const 
       params_(params),
       lidar_(lidar_of(robot)),
       odometry_(robot.drive),
+      filter_(params.motion),
       scan_points_(lidar_, {params.max_range}),
       search_(params.beam_weight),
       aligner_(params.alignment) {}
@@ -55,24 +39,20 @@ const PoseEstimate& ScanMatching::update(const Frame& frame) {
 /// The pose by odometry since the last match.
 void ScanMatching::reckon(const Frame& frame) {
   const PoseEstimate& odometry = odometry_.update(frame);
-  const Pose2 step = inverse(last_odometry_) * odometry.pose;
+  const bool stands = odometry.pose == last_odometry_;
+  const Pose2 step = stands ? Pose2{} : inverse(last_odometry_) * odometry.pose;
   last_odometry_ = odometry.pose;
   way_ += std::sqrt(step.position().squaredNorm());
   turn_ += std::fabs(step.yaw);
-  estimate_.pose = anchor_.pose * (inverse(odometry_at_anchor_) * odometry.pose);
-  const MotionNoise& noise = params_.motion;
-  estimate_.covariance = spread(anchor_.covariance, estimate_.pose.position() - anchor_.pose.position(),
-                                noise.way_per_way * way_ + noise.way_per_turn * turn_,
-                                noise.turn_per_turn * turn_ + noise.turn_per_way * way_);
-  estimate_.twist = odometry.twist;
-  estimate_.twist_covariance = odometry.twist_covariance;
+  filter_.predict(step);
+  estimate_ = {filter_.pose(), filter_.covariance(), odometry.twist, odometry.twist_covariance};
 }
 
 void ScanMatching::match(const Frame& frame) {
   if (started_ && way_ < params_.min_travel && turn_ < params_.min_turn) return;
   take(frame);
   if (ends_.empty()) return;
-  if (lay_over_map() || !started_) anchor();
+  if (lay_over_map() || !started_) way_ = turn_ = 0.0;
   started_ = true;
   remember();
 }
@@ -96,33 +76,33 @@ bool ScanMatching::lay_over_map() {
   const GridView<const LogOdds> map = mapper_.map();
   if (map.geometry.size() == 0) return false;
   const int known = count_known(map);
-  Eigen::Matrix3d covariance = estimate_.covariance;
-  covariance.diagonal().array() += kLeastVariance;
-  ScanAlignment aligned = match_within(covariance);
+  const auto is_match = [&](const ScanAlignment& found) {
+    return found.support >= params_.min_support && found.support >= params_.min_share * known;
+  };
+  ScanAlignment aligned = match_from(filter_);
   if (aligned.support < params_.doubtful_share * known) {
     // Wheels slip at times by far more than they ever do otherwise.
-    Eigen::Vector3d wide(params_.window, params_.window, params_.window_angle);
-    wide /= kWindowSigmas;
-    const Eigen::Matrix3d slipped = covariance + Eigen::Matrix3d(wide.cwiseAbs2().asDiagonal());
-    const ScanAlignment elsewhere = match_within(slipped);
-    if (elsewhere.support > params_.slip_gain * aligned.support) {
+    PoseFilter slipped = filter_;
+    slipped.slip(Eigen::Vector3d(params_.window, params_.window, params_.window_angle) / kWindowSigmas);
+    const ScanAlignment elsewhere = match_from(slipped);
+    if (elsewhere.support > params_.slip_gain * aligned.support && is_match(elsewhere)) {
       aligned = elsewhere;
-      covariance = slipped;
+      filter_ = slipped;
     }
   }
-  if (aligned.support < params_.min_support || aligned.support < params_.min_share * known) return false;
-  estimate_.pose = aligned.pose;
-  // The inverse of a symmetric matrix is one but for rounding.
-  const Eigen::Matrix3d fused = (covariance.inverse() + aligned.information).inverse();
-  estimate_.covariance = 0.5 * (fused + fused.transpose());
+  if (!is_match(aligned)) return false;
+  filter_.correct(aligned.pose, aligned.information);
+  estimate_.pose = filter_.pose();
+  estimate_.covariance = filter_.covariance();
   return true;
 }
 
-/// Matches the scan near the pose by odometry, which errs by `covariance`.
-ScanAlignment ScanMatching::match_within(const Eigen::Matrix3d& covariance) {
-  const PosePrior prior{estimate_.pose, covariance.inverse()};
-  const double reach = kWindowSigmas * std::sqrt(std::max(covariance(0, 0), covariance(1, 1)));
-  const double reach_angle = kWindowSigmas * std::sqrt(covariance(2, 2));
+/// Matches the scan near a guess.
+ScanAlignment ScanMatching::match_from(const PoseFilter& guess) {
+  const PosePrior prior{guess.pose(), guess.information()};
+  const Eigen::Vector3d variance = guess.covariance().diagonal();
+  const double reach = kWindowSigmas * std::sqrt(std::max(variance.x(), variance.y()));
+  const double reach_angle = kWindowSigmas * std::sqrt(variance.z());
   const SearchWindow window{
       std::max(1, static_cast<std::int32_t>(std::ceil(std::min(reach, params_.window) / field_.geometry().resolution))),
       std::min(reach_angle, params_.window_angle)};
@@ -138,13 +118,6 @@ int ScanMatching::count_known(GridView<const LogOdds> map) const {
     known += map.contains(c) && map[c] != 0;
   }
   return known;
-}
-
-/// Odometry counts from here on.
-void ScanMatching::anchor() {
-  anchor_ = estimate_;
-  odometry_at_anchor_ = last_odometry_;
-  way_ = turn_ = 0.0;
 }
 
 /// The scan becomes a part of what later ones are laid over.

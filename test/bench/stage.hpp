@@ -22,7 +22,7 @@ inline World make_world(int rooms) {
 /// A house of `rooms` x `rooms` rooms, and a place in its first room to start from.
 struct Stage {
   explicit Stage(int rooms)
-      : world(make_world(rooms)), index(solid_segments(world)), start(roomiest_pose(make_world(1), 0.1735)) {}
+      : world(make_world(rooms)), index(solid_segments(world)), start(starting_pose(make_world(1), 0.1735)) {}
 
   World world;
   SegmentIndex index;

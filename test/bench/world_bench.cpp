@@ -91,14 +91,14 @@ void Build(benchmark::State& state) {
 void Truth(benchmark::State& state) {
   Random random(1);
   const World world = test::random_house(random, static_cast<int>(state.range(0)), 4.0);
-  const Pose2 start = roomiest_pose(world, 0.1735);
+  const Pose2 start = starting_pose(world, 0.1735);
   for (auto _ : state) benchmark::DoNotOptimize(ground_truth(world, start, 0.1735, 0.05).reachable_count);
 }
 
-void Roomiest(benchmark::State& state) {
+void StartingPose(benchmark::State& state) {
   Random random(1);
   const World world = test::random_house(random, static_cast<int>(state.range(0)), 4.0);
-  for (auto _ : state) benchmark::DoNotOptimize(roomiest_pose(world, 0.1735).x);
+  for (auto _ : state) benchmark::DoNotOptimize(starting_pose(world, 0.1735).x);
 }
 
 BENCHMARK(Cast)->Arg(5)->Arg(40);
@@ -107,7 +107,7 @@ BENCHMARK(Within)->Arg(5)->Arg(40);
 BENCHMARK(Distance)->Arg(5)->Arg(40);
 BENCHMARK(Build)->Arg(5)->Arg(40);
 BENCHMARK(Truth)->Arg(2)->Arg(3)->Unit(benchmark::kMillisecond);
-BENCHMARK(Roomiest)->Arg(3)->Arg(40)->Unit(benchmark::kMillisecond);
+BENCHMARK(StartingPose)->Arg(3)->Arg(40)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace scrubjay

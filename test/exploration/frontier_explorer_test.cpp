@@ -171,6 +171,63 @@ TEST(FrontierExplorerTest, ForgivesWhenTheMapChangesWhereItGaveUp) {
   EXPECT_TRUE(explorer.leftovers().empty()) << reasons(explorer);
 }
 
+/// Free floor in an unknown world, painted by hand; the robot stands at the origin and looks along x.
+class PaintedFloor {
+ public:
+  PaintedFloor() { map_.cover({0.0, 0.0}, 6.0); }
+  void paint(const Point2& low, const Point2& high, LogOdds value) {
+    const CellIndex from = map_.view().geometry.cell_at(low);
+    const CellIndex to = map_.view().geometry.cell_at(high);
+    for (std::int32_t y = from.y; y < to.y; ++y) {
+      for (std::int32_t x = from.x; x < to.x; ++x) map_.view()[{x, y}] = value;
+    }
+  }
+  /// Which way the robot turns at first: to the left is positive.
+  double first_turn(const FrontierExplorerParams& params) {
+    FrontierExplorer explorer(DrawnRun::robot(), params);
+    const PoseEstimate estimate;
+    for (int tick = 0; tick < 200; ++tick) {
+      Frame frame;
+      frame.stamp = 0.2 * tick;
+      frame.scan = LaserScan{};
+      const Decision decision =
+          explorer.decide({frame, estimate, map_.view(), tick == 0 ? cells_of(map_.view().geometry) : CellRect{}});
+      if (decision.motion.angular != 0.0) return decision.motion.angular;
+    }
+    return 0.0;
+  }
+
+ private:
+  GrowingMap map_{0.05};
+};
+
+// A lane between walls: on the left it ends after 1.8 m with 0.4 m of frontier, on the right after 2.4 m with 2 m of
+// it.
+TEST(FrontierExplorerTest, GoesALittleFartherForALongerFrontier) {
+  PaintedFloor floor;
+  floor.paint({-1.2, -2.4}, {1.2, 1.8}, 80);
+  floor.paint({-0.2, -0.5}, {0.2, 1.8}, -80);
+  floor.paint({-1.0, -2.4}, {1.0, -0.5}, -80);
+  FrontierExplorerParams params;
+  params.gain = 0.0;
+  EXPECT_GT(floor.first_turn(params), 0.0);
+  params.gain = 1.0;
+  EXPECT_LT(floor.first_turn(params), 0.0);
+}
+
+// A lane between walls half seen; its end on the right is farther off, but beside a wall.
+TEST(FrontierExplorerTest, GoesRatherWhereItCanTellItsPose) {
+  PaintedFloor floor;
+  floor.paint({-0.5, -3.0}, {0.5, 2.5}, 5);
+  floor.paint({-0.3, -3.0}, {0.3, 2.5}, -80);
+  floor.paint({0.3, -3.0}, {0.4, -2.0}, 80);
+  FrontierExplorerParams params;
+  params.lost = 1.0;
+  EXPECT_GT(floor.first_turn(params), 0.0);
+  params.lost = 10.0;
+  EXPECT_LT(floor.first_turn(params), 0.0);
+}
+
 TEST(FrontierExplorerTest, NeedsALidar) {
   EXPECT_THROW(FrontierExplorer(RobotModel{}), Error);
 }

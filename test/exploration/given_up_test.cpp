@@ -65,27 +65,36 @@ TEST_F(GivenUpTest, ForgivesOnRequest) {
   EXPECT_TRUE(holds(robot));
 }
 
-TEST_F(GivenUpTest, TriesAreLimited) {
-  for (int i = 0; i < params.tries; ++i) {
-    EXPECT_FALSE(holds(goal));
+TEST_F(GivenUpTest, WhatComesAndGoesIsHeldInTheEnd) {
+  int forgiven = 0;
+  for (int i = 0; i < 100; ++i) {
     memory.remember(map.view(), goal, robot);
-    paint({0.8, 0.8}, {1.2, 1.2}, i % 2 == 0 ? -60 : 60);
+    paint({0.85, 0.85}, {1.15, 1.15}, i % 2 == 0 ? -60 : 60);
+    forgiven += holds(goal) ? 0 : 1;
   }
-  EXPECT_TRUE(holds(goal));
+  EXPECT_GE(forgiven, 1);
+  EXPECT_LE(forgiven, 3);
+}
+
+TEST_F(GivenUpTest, ForgivesForEverWhenAllIsDifferent) {
+  for (int i = 0; i < 100; ++i) {
+    memory.remember(map.view(), goal, robot);
+    EXPECT_TRUE(holds(goal));
+    paint({0.5, 0.5}, {1.5, 1.5}, i % 2 == 0 ? -60 : 60);
+    EXPECT_FALSE(holds(goal)) << i;
+  }
 }
 
 TEST_F(GivenUpTest, WhatHasToBeSeenAgainAndAgainIsNoise) {
   double stamp = 0.0;
+  const auto see = [&] { memory.remember_seen(map.view(), goal, stamp += 2.0 * params.visit); };
   for (int i = 0; i < params.visits; ++i) {
     EXPECT_FALSE(holds(goal));
-    paint({0.8, 0.8}, {1.2, 1.2}, i % 2 == 0 ? 0 : -60);  // unknown, and known again
-    memory.remember_seen(map.view(), goal, stamp += 2.0 * params.visit);
+    see();
   }
-  // The first look found less unknown than ever; that one was worth it.
-  paint({0.8, 0.8}, {1.2, 1.2}, 0);
-  memory.remember_seen(map.view(), goal, stamp += 2.0 * params.visit);
-  memory.remember_seen(map.view(), goal, stamp += 2.0 * params.visit);
   EXPECT_TRUE(holds(goal));
+  paint({0.5, 0.5}, {1.5, 1.5}, -60);
+  EXPECT_FALSE(holds(goal));
 }
 
 TEST_F(GivenUpTest, AShadowThatMovesAsTheRobotComesIsSeenOnce) {

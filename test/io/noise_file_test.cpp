@@ -29,7 +29,7 @@ TEST_F(NoiseFileTest, ReadsEveryProfileOfTheTree) {
   for (const char* name : {"none", "hard-floor", "carpet", "uncalibrated"}) {
     EXPECT_EQ(read_noise(in_tree("urdf/noise.yaml"), name).name, name);
   }
-  EXPECT_EQ(read_noise(in_tree("urdf/noise.yaml"), "hard-floor").lidar_noise, 0.01);
+  EXPECT_EQ(read_noise(in_tree("urdf/noise.yaml"), "hard-floor").lidar_noise_share, 0.0167);
   EXPECT_EQ(read_noise(in_tree("urdf/noise.yaml"), "carpet").lidar_noise_share, 0.0167);
   const sim::NoiseProfile none = read_noise(in_tree("urdf/noise.yaml"), "none");
   EXPECT_EQ(none.travel_noise, 0.0);

@@ -58,7 +58,8 @@ TEST(ScanMatchingTest, IsDeadReckoningWithoutScans) {
     frame.right_travel = random.uniform(-0.002, 0.004);
     const PoseEstimate& estimate = matching.update(frame);
     const PoseEstimate& reckoned = reckoning.update(frame);
-    ASSERT_EQ(estimate.pose, reckoned.pose);
+    ASSERT_LT(distance(estimate.pose, reckoned.pose), 1e-12);
+    ASSERT_LT(turn(estimate.pose, reckoned.pose), 1e-12);
     ASSERT_EQ(estimate.twist, reckoned.twist);
   }
 }
@@ -112,13 +113,14 @@ TEST(ScanMatchingTest, RecoversFromWheelsThatSlippedFar) {
 TEST(ScanMatchingTest, BelievesOdometryAlongABareCorridor) {
   Stage stage(corridor_walls());
   PoseEstimate estimate;
-  double told = 0.0;
+  Pose2 odometry;
   for (int i = 0; i <= 100; ++i) {
-    told = 0.05 * i;
-    estimate = stage.drive.go({0.05 * i, 0.0, 0.0}, {told, 0.002 * i, 0.0});  // odometry drifts to the left
+    if (i > 0) odometry = odometry * Pose2{0.05, 0.0, 0.002};  // it drifts to the left
+    estimate = stage.drive.go({0.05 * i, 0.0, 0.0}, odometry);
   }
-  EXPECT_NEAR(estimate.pose.x, told, 0.02);  // nothing but odometry knows
-  EXPECT_NEAR(estimate.pose.y, 0.0, 0.01);   // the walls know better
+  EXPECT_GT(odometry.y, 0.4);
+  EXPECT_NEAR(estimate.pose.x, 5.0, 0.02);  // nothing but odometry knows
+  EXPECT_NEAR(estimate.pose.y, 0.0, 0.01);  // the walls know better
   EXPECT_NEAR(estimate.pose.yaw, 0.0, radians(0.5));
   EXPECT_GT(estimate.covariance(0, 0), 25.0 * estimate.covariance(1, 1));
 }
@@ -158,8 +160,8 @@ TEST(ScanMatchingTest, GoesOnByOdometryWhenAScanSaysNothing) {
   const Pose2 before = stage.drive.go({0.1, 0.0, 0.0}, {0.1, 0.0, 0.0}).pose;
   stage.drive.walls().clear();
   const PoseEstimate blind = stage.drive.go({0.3, 0.0, 0.0}, {0.3, 0.0, 0.0});
-  EXPECT_LT(distance(blind.pose, before * Pose2{0.2, 0.0, 0.0}), 1e-12);
-  EXPECT_GT(blind.covariance(0, 0), 0.01 * 0.01);
+  EXPECT_LT(distance(blind.pose, before * Pose2{0.2, 0.0, 0.0}), 1e-4);
+  EXPECT_GT(blind.covariance(0, 0), 0.005 * 0.005);
 }
 
 TEST(ScanMatchingTest, LetsAScanGoByThatFitsNowhere) {
@@ -169,7 +171,7 @@ TEST(ScanMatchingTest, LetsAScanGoByThatFitsNowhere) {
   stage.drive.walls() = {
       {{-2.6, 0.5}, {0.5, -2.1}}, {{0.5, -2.1}, {3.6, 0.5}}, {{3.6, 0.5}, {0.5, 3.1}}, {{0.5, 3.1}, {-2.6, 0.5}}};
   const Pose2 after = stage.drive.go({0.2, 0.0, 0.0}, {0.2, 0.0, 0.0}).pose;
-  EXPECT_LT(distance(after, before * Pose2{0.1, 0.0, 0.0}), 1e-12);
+  EXPECT_LT(distance(after, before * Pose2{0.1, 0.0, 0.0}), 1e-4);
 }
 
 TEST(ScanMatchingTest, TakesNoHarmFromRangesThatAreNone) {
@@ -244,6 +246,27 @@ TEST(ScanMatchingTest, KeepsItsPoseThroughNoiseAndDriftingWheels) {
   }
   EXPECT_GT(turn(odometry, truth), radians(30.0));
   EXPECT_LT(worst, 0.03);
+}
+
+TEST(ScanMatchingTest, GoesStraightInTheDarkOnceItKnowsItsWheels) {
+  Stage stage(room_walls(), 0.01);
+  Pose2 odometry;
+  Pose2 truth;
+  const auto go = [&](const Pose2& told) {
+    odometry = odometry * told;
+    truth = truth * Pose2{1.02 * told.x, 0.0, 0.97 * told.yaw + 0.05 * told.x};
+    return stage.drive.go(truth, odometry).pose;
+  };
+  Pose2 found;
+  for (int i = 0; i < 960; ++i) found = go({0.02, 0.0, radians(i / 120 % 2 == 0 ? 3.0 : -3.0)});  // figures of eight
+  stage.drive.walls().clear();
+  const Pose2 begin = truth;
+  const Pose2 told_begin = odometry;
+  const Pose2 found_begin = found;
+  for (int i = 0; i < 100; ++i) found = go({0.03, 0.0, 0.0});
+  const Pose2 way = inverse(begin) * truth;
+  EXPECT_GT(distance(way, inverse(told_begin) * odometry), 0.2);
+  EXPECT_LT(distance(way, inverse(found_begin) * found), 0.08);
 }
 
 }  // namespace

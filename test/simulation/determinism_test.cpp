@@ -41,10 +41,10 @@ class DeterminismTest : public ::testing::Test {
     world_.carpets = {{box({4.0, 4.0}, {3.0, 3.0}, 0.3), 0.1}};
     world_.dock = Dock{{0.1, 4.0, 0.0}};
     noise_ = read_noise(std::filesystem::path(SCRUBJAY_SOURCE_DIR) / "urdf/noise.yaml", "carpet");
-    start_ = roomiest();
+    start_ = start_pose();
   }
 
-  Pose2 roomiest() {
+  Pose2 start_pose() {
     const SegmentIndex index(solid_segments(world_));
     Pose2 best;
     double most = 0.0;

@@ -27,17 +27,24 @@ struct FrontierExplorerParams {
   double min_length = 0.15;       ///< shorter frontiers are readings' noise, and aren't told of [m]
   double min_unknown = 0.04;      ///< less unknown floor than this behind a frontier isn't worth a way [m^2]
   double piece = 1.5;             ///< longer frontiers are cut into pieces of about twice this [m]
+  double gain = 0.3;              ///< what a metre of frontier is worth, in metres of way
+  double landmark = 1.0;          ///< a place with no obstacle within this is one to lose one's pose at [m] ...
+  double lost = 10.0;             ///< ... and each metre of the way there counts as many
   double gone = 0.5;              ///< a goal is as good as seen when this share of its frontier is none any more
   double look = 1.0;              ///< how long a robot stands and looks at what its scans don't change [s]
   double reconsider = 2.0;        ///< a goal is held for this long, unless it is gone [s]
   double better = 0.6;            ///< another one must cost less than this share of what is left to the old one
 };
 
-/// Goes to the piece of frontier that is cheapest to reach, by the way that the disc would drive, until there is none
-/// (Yamauchi 1997, with shortest paths). Where all is to be seen in the end, what a goal would show is no reason to
-/// prefer it: Holz, Basilico, Amigoni, Behnke, *Evaluating the Efficiency of Frontier-based Exploration Strategies*,
-/// 2010; Ericson, Pedro, Jensfelt, *Information Gain Is Not All You Need*, 2025. It is a reason to go at all: frontiers
-/// of a few cells, and those before a few unknown cells, are passed over.
+/// Goes to the piece of frontier that is best to go to, until there is none (Yamauchi 1997). The best is the one whose
+/// cost less its gain is the least: cost is the length of the way that the disc would drive, gain the length of the
+/// frontier (as a weighted difference, like Burgard, Moors, Stachniss, Schneider, *Coordinated Multi-Robot
+/// Exploration*, 2005, eq. 5). Where all is to be seen in the end, gain is little reason to go far: Holz, Basilico,
+/// Amigoni, Behnke, *Evaluating the Efficiency of Frontier-based Exploration Strategies*, 2010; Ericson, Pedro,
+/// Jensfelt, *Information Gain Is Not All You Need*, 2025. It is a reason to go at all: frontiers of a few cells, and
+/// those before a few unknown cells, are passed over. Places where the robot would see nothing to tell its pose by cost
+/// more: it comes to know a hall from its walls inwards (localizability: Makarenko, Williams, Bourgault, Durrant-Whyte,
+/// *An Experiment in Integrated Exploration*, 2002).
 ///
 /// A goal is the place nearest to the middle of a piece, along free floor, where the disc can be. It is held until half
 /// of the piece has been seen, or another one has become clearly cheaper. What doesn't vanish though the robot stands
@@ -63,6 +70,7 @@ class FrontierExplorer final : public Behavior {
     Point2 middle;              ///< of the piece
     CellIndex view;             ///< passable, of the map when this was chosen
     double cost;                ///< of the way there [m]
+    double score;               ///< cost less gain; the lowest is the best [m]
     bool is_here;               ///< the robot stands there, as good as
   };
 
@@ -74,7 +82,7 @@ class FrontierExplorer final : public Behavior {
   void set_out(const Goal& goal);
   void choose(const Situation& now, bool has_looked);
   bool squeeze(const Situation& now);
-  const Goal* cheapest_goal() const;
+  const Goal* best_goal() const;
   const Goal* old_goal() const;
   void give_up_what_is_here(const Situation& now);
 
@@ -82,6 +90,7 @@ class FrontierExplorer final : public Behavior {
   void sort_in(const Situation& now, const FrontierPiece& piece);
   void add_goal(const Situation& now, const FrontierPiece& piece, CellIndex view);
   bool could_come(GridView<const LogOdds> map, const FrontierPiece& piece);
+  double way_counts(GridView<const LogOdds> map, CellIndex view) const;
   bool is_here(const Situation& now, CellIndex view) const;
   void leave(const Situation& now, const FrontierPiece& piece, const char* why);
   bool is_seen(GridView<const LogOdds> map, const Goal& goal) const;

@@ -11,14 +11,15 @@ namespace scrubjay {
 struct GivenUpParams {
   double place = 0.3;         ///< a goal this near to a remembered one is the same [m]
   double surroundings = 0.4;  ///< of the goal, and of where the robot gave it up: watched for changes [m]
-  double change = 0.08;       ///< share of their cells that must become something else to forgive it
-  int tries = 3;              ///< given up as often as this, a place is never forgiven
-  int visits = 3;             ///< seen as often as this, with no less unknown around it, it is readings' noise
-  double visit = 4.0;         ///< ... each visit as long as this after the one before: shadows move as robots do [s]
+  double change = 0.08;       ///< share of their cells that must become something else to forgive it; doubles each time
+  double most_change = 0.5;   ///< ... up to this: a house that was rearranged is always forgiven
+  int visits = 3;      ///< seen as often as this, with no less unknown around it, it is readings' noise: given up
+  double visit = 4.0;  ///< ... each visit as long as this after the one before: shadows move as robots do [s]
 };
 
 /// Remembers goals by place. One is forgiven when the map has changed around it, or around where the robot was when it
-/// gave up: what stood in the way may be gone, or there is more to be seen.
+/// gave up: what stood in the way may be gone, or there is more to be seen. Each time it is given up again, more must
+/// change: walls that come and go with readings' noise aren't worth a way for ever.
 class GivenUp {
  public:
   explicit GivenUp(const GivenUpParams& params = {}) : params_(params) {}
@@ -43,16 +44,17 @@ class GivenUp {
   struct Entry {
     Point2 goal;
     Surroundings around_goal;
-    int least_unknown = 0;  // cells around the goal that ever were unknown
-    int visits = 0;         // since there were fewer unknown cells than ever
-    double visited = 0.0;   // at the last of them [s]
-    int tries = 0;
+    int least_unknown = 0;   // cells around the goal that ever were unknown
+    int visits = 0;          // since there were fewer unknown cells than ever
+    double visited = 0.0;    // at the last of them [s]
+    int tries = 0;           // times that it was given up
     Point2 robot{0.0, 0.0};  // where it was at the last try
     Surroundings around_robot{};
   };
   Surroundings look(GridView<const LogOdds> map, const Point2& center) const;
-  bool changed(const Surroundings& then, GridView<const LogOdds> map, const Point2& center) const;
-  int count_as_change(GridView<const LogOdds> map) const;
+  bool changed(const Surroundings& then, GridView<const LogOdds> map, const Point2& center, int least) const;
+  int cells(GridView<const LogOdds> map, double share) const;
+  int wanted_change(GridView<const LogOdds> map, int tries) const;
   Entry& entry_at(GridView<const LogOdds> map, const Point2& goal);
   bool is_at(const Entry& entry, const Point2& goal) const;
 

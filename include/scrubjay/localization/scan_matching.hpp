@@ -5,6 +5,7 @@
 #include <scrubjay/localization/correlative_search.hpp>
 #include <scrubjay/localization/likelihood_field.hpp>
 #include <scrubjay/localization/localizer.hpp>
+#include <scrubjay/localization/pose_filter.hpp>
 #include <scrubjay/localization/scan_alignment.hpp>
 #include <scrubjay/localization/surface_map.hpp>
 #include <scrubjay/mapping/mapper.hpp>
@@ -12,16 +13,6 @@
 #include <scrubjay/robot/robot_model.hpp>
 
 namespace scrubjay {
-
-/// How far odometry may be off between two scans, by what it tells: standard deviations (Thrun, Burgard, Fox,
-/// *Probabilistic Robotics*, table 5.6). Several times what wheels err by on a hard floor, since their errors are not
-/// random but go on: the more weight they had, the more of them would seep into the map.
-struct MotionNoise {
-  double way_per_way = 0.07;            ///< of the position, by the way driven [m/m]
-  double way_per_turn = 0.005;          ///< of the position, by the turn [m/rad]
-  double turn_per_turn = 0.2;           ///< of the heading, by the turn [rad/rad]
-  double turn_per_way = radians(10.0);  ///< of the heading, by the way driven [rad/m]
-};
 
 /// Our own choices, tried on the worlds of this repository with an LDS-01 and on the logs of Intel's lab and of
 /// Freiburg's building 079 with a SICK LMS.
@@ -42,7 +33,8 @@ struct ScanMatchingParams {
   ScanAlignmentParams alignment;
 };
 
-/// Dead reckoning between scans; each scan is matched with the map that was made of those before. A correlative search
+/// Odometry between scans, less what it was found to err by (PoseFilter); each scan is matched with the map that was
+/// made of those before. A correlative search
 /// (CorrelativeSearch) over what odometry allows finds the right hill, an alignment (ScanAligner) its top. Odometry and
 /// scan are weighed by what each of them knows: along a bare corridor, odometry has the say. The covariance is that of
 /// both together, in the map: how far the map itself has drifted since its beginning, no scan of it can tell.
@@ -62,15 +54,15 @@ class ScanMatching final : public Localizer {
   void match(const Frame& frame);
   void take(const Frame& frame);
   bool lay_over_map();
-  ScanAlignment match_within(const Eigen::Matrix3d& covariance);
+  ScanAlignment match_from(const PoseFilter& guess);
   int count_known(GridView<const LogOdds> map) const;
-  void anchor();
   void remember();
 
   const Mapper& mapper_;
   ScanMatchingParams params_;
   LidarModel lidar_;
   DeadReckoning odometry_;
+  PoseFilter filter_;
   ScanPoints scan_points_;
   LikelihoodField field_;
   SurfaceMap surfaces_;
@@ -80,8 +72,6 @@ class ScanMatching final : public Localizer {
   std::vector<Point2> search_ends_;  // some of them
 
   PoseEstimate estimate_;
-  PoseEstimate anchor_;  // at the last match
-  Pose2 odometry_at_anchor_;
   Pose2 last_odometry_;
   double way_ = 0.0;      // driven since the last match [m]
   double turn_ = 0.0;     // turned since the last match, whichever way [rad]

@@ -17,7 +17,7 @@ struct Scenario {
   std::string localizer;             ///< "odometry" or "scan-matching"; empty: what suits the model best
   std::string noise = "none";        ///< a profile of noise.yaml
   std::uint64_t seed = 1;
-  std::optional<Pose2> start;          ///< in the world's frame; otherwise the world's own, or its roomiest place
+  std::optional<Pose2> start;          ///< in the world's frame; otherwise the world's own, or starting_pose()
   double resolution = 0.05;            ///< of the map [m]
   double max_time = 7200.0;            ///< simulated [s]
   std::optional<Bounds2> within;       ///< floor to stay on, in the map's frame

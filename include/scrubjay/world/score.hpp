@@ -64,9 +64,10 @@ MapScore score_map(GridView<const Occupancy> map, const GroundTruth& truth,
 std::vector<std::uint16_t> followed_boundaries(const GroundTruth& truth, std::span<const StampedPose> trajectory,
                                                double robot_radius);
 
-/// The pose farthest from any wall in the largest part of the world that the disc can reach, heading 0: where a robot
-/// starts in a plan that doesn't say. What is open to the outside, or inside of furniture or a cliff, doesn't count.
-/// Throws Error if the disc fits nowhere else.
-Pose2 roomiest_pose(const World& world, double robot_radius);
+/// Where a robot starts in a plan that doesn't say: a metre from the walls in the largest part of the world that the
+/// disc can reach, or as far from them as there is room, heading 0. Of such places the one with the lowest y, then x: a
+/// corner, where any robot senses something to begin with. What is open to the outside, or inside of furniture or a
+/// cliff, doesn't count. Throws Error if the disc fits nowhere else.
+Pose2 starting_pose(const World& world, double robot_radius);
 
 }  // namespace scrubjay

@@ -10,6 +10,7 @@
 namespace scrubjay {
 namespace {
 
+constexpr double kRoomEnough = 1.0;     ///< from the walls [m]
 constexpr double kCoarsestStep = 0.05;  ///< of the lattice on which places are compared [m]
 constexpr std::uint32_t kOutside = DiscLattice::kFirstOwn;
 
@@ -52,15 +53,16 @@ std::uint32_t label_parts(DiscLattice& lattice) {
   return largest;
 }
 
-/// The node with that label that is farthest from all segments; the first one of equals.
-Point2 farthest_node(const DiscLattice& lattice, std::uint32_t label, const SegmentIndex& index) {
+/// The first node with that label that has room enough, or else the one that is farthest from all segments.
+Point2 roomy_node(const DiscLattice& lattice, std::uint32_t label, const SegmentIndex& index) {
   Point2 best{0.0, 0.0};
   double best_distance = -1.0;
   for (std::int32_t y = 0; y < lattice.geometry.height; ++y) {
     for (std::int32_t x = 0; x < lattice.geometry.width; ++x) {
       if (lattice[{x, y}] != label) continue;
       const Point2 p = lattice.geometry.center({x, y});
-      const double distance = index.distance(p, std::numeric_limits<double>::infinity());
+      const double distance = index.distance(p, kRoomEnough);
+      if (distance >= kRoomEnough) return p;
       if (distance > best_distance) {
         best = p;
         best_distance = distance;
@@ -74,7 +76,7 @@ Point2 farthest_node(const DiscLattice& lattice, std::uint32_t label, const Segm
 
 }  // namespace
 
-Pose2 roomiest_pose(const World& world, double robot_radius) {
+Pose2 starting_pose(const World& world, double robot_radius) {
   const SegmentIndex index(solid_segments(world));
   std::uint32_t largest = DiscLattice::kFree;
   if (!index.segments().empty() && robot_radius > kBumperGive) {
@@ -94,7 +96,7 @@ Pose2 roomiest_pose(const World& world, double robot_radius) {
     flood(lattice, {1, 1}, kOutside, Neighbours::Four);
     largest = label_parts(lattice);
     if (largest != DiscLattice::kFree) {
-      const Point2 place = farthest_node(lattice, largest, index);
+      const Point2 place = roomy_node(lattice, largest, index);
       return {place.x(), place.y(), 0.0};
     }
   }
