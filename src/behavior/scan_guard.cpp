@@ -15,8 +15,9 @@ double clear_way(const LaserScan& scan, const Pose2& mount, double radius, bool 
   double clear = at_most;
   double bearing = scan.angle_min + mount.yaw;
   for (const float range : scan.ranges) {
-    if (scan.returned(range) && range < at_most + radius + offset) {
-      const Point2 point = mount.position() + static_cast<double>(range) * direction(bearing);
+    const std::optional<double> obstacle = scan.obstacle(range);
+    if (obstacle && *obstacle < at_most + radius + offset) {
+      const Point2 point = mount.position() + *obstacle * direction(bearing);
       const double along = backwards ? -point.x() : point.x();
       const double half_chord = radius * radius - point.y() * point.y();
       if (along > 0.0 && half_chord > 0.0) clear = std::min(clear, along - std::sqrt(half_chord));

@@ -32,8 +32,8 @@ ScanOutlook::ScanOutlook(const LaserScan& scan, const LidarModel& lidar, const T
     const double age = scan.time_increment > 0.0 ? arrival - (scan.stamp + beam * scan.time_increment) : 0.0;
     const Pose2 sensor = pose_before(twist, age) * lidar.mount;
     const double bearing = sensor.yaw + scan.angle_min + beam * scan.angle_increment;
-    if (scan.returned(scan.ranges[i])) {
-      block(sensor.position() + static_cast<double>(scan.ranges[i]) * direction(bearing), radius, directions);
+    if (const std::optional<double> obstacle = scan.obstacle(scan.ranges[i])) {
+      block(sensor.position() + *obstacle * direction(bearing), radius, directions);
     } else {
       double& clear = clear_[index_of(bearing + 0.5 * kStep)];
       clear = std::min(clear, std::max(0.0, lidar.clear_range - radius));

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <scrubjay/behavior/scan_guard.hpp>
 #include <scrubjay/geometry/segment2.hpp>
 #include <vector>
@@ -99,11 +101,20 @@ TEST_F(ScanGuardTest, TakesBeamsOfATurningLidarForAsOldAsTheTurn) {
   EXPECT_NEAR(guard.limit(full).linear, (0.18 - 0.04 - robot.radius - params.margin) / params.reaction, 0.01);
 }
 
-TEST_F(ScanGuardTest, ReadingsThatAreNoReturnsAreNothing) {
-  Frame frame = frame_that_sees({wall_ahead(0.12)});
-  for (float& range : ranges) range = 0.05f;  // below the least range
+TEST_F(ScanGuardTest, StopsBeforeWhatIsTooNearToBeMeasured) {
+  Frame frame = frame_that_sees({});
+  ranges[0] = -std::numeric_limits<float>::infinity();
   guard.sense(frame);
-  EXPECT_EQ(guard.limit(full), full);
+  EXPECT_EQ(guard.limit(full).linear, 0.0);
+}
+
+TEST_F(ScanGuardTest, ReadingsThatAreNoReturnsAreNothing) {
+  for (const float nothing : {0.0f, 4.0f, std::numeric_limits<float>::quiet_NaN()}) {
+    const Frame frame = frame_that_sees({});
+    std::fill(ranges.begin(), ranges.end(), nothing);
+    guard.sense(frame);
+    EXPECT_EQ(guard.limit(full), full) << nothing;
+  }
 }
 
 }  // namespace

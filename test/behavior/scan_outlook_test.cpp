@@ -98,6 +98,12 @@ TEST(ScanOutlookTest, BeamsStartFromWhereTheRobotWas) {
   EXPECT_NEAR(scan.seen(0.1, {0.5, 0.0, 0.0}).clear(0), 0.9, 1e-6);
 }
 
+TEST(ScanOutlookTest, WhatIsTooNearToBeMeasuredBlocks) {
+  HandmadeScan scan;
+  scan.ranges[0] = -std::numeric_limits<float>::infinity();
+  EXPECT_DOUBLE_EQ(scan.seen(0.1).clear(0), scan.scan.range_min - 0.1);
+}
+
 TEST(ScanOutlookTest, WhatIsNoNumberIsNoReturn) {
   HandmadeScan scan(std::numeric_limits<float>::quiet_NaN());
   EXPECT_DOUBLE_EQ(scan.seen(0.1).farthest(), 3.4);

@@ -2,6 +2,7 @@
 /// One turn of a lidar.
 #pragma once
 
+#include <optional>
 #include <span>
 
 namespace scrubjay {
@@ -14,9 +15,16 @@ struct LaserScan {
   double time_increment = 0.0;    ///< between two beams [s]; 0: all were measured at once, when the frame arrived
   double range_min = 0.0;         ///< what is nearer isn't measured [m]
   double range_max = 0.0;         ///< what is farther isn't measured [m]
-  std::span<const float> ranges;  ///< [m]; anything outside of [range_min, range_max], or NaN, is no return
+  std::span<const float> ranges;  ///< [m]; anything outside of [range_min, range_max], or NaN, is no reading
 
   bool returned(float range) const { return range >= range_min && range <= range_max; }
+  /// How far the obstacle is that a beam met, if it met one. What is too near to be measured, which REP-117 writes as
+  /// minus infinity, is taken to be at range_min. Zero is no obstacle: drivers write it where nothing came back.
+  std::optional<double> obstacle(float range) const {
+    if (returned(range)) return range;
+    if (range < range_min && range != 0.0f) return range_min;
+    return std::nullopt;
+  }
 };
 
 }  // namespace scrubjay
