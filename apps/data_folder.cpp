@@ -16,9 +16,10 @@ struct KnownRobot {
 };
 
 // A Create 2 is a Roomba 600 without its vacuum: same body, same interface.
-constexpr std::array<KnownRobot, 4> kRobots{{{"roomba-600", "roomba_600.urdf"},
+constexpr std::array<KnownRobot, 5> kRobots{{{"roomba-600", "roomba_600.urdf"},
                                              {"create-2", "roomba_600.urdf"},
                                              {"create-1", "create_1.urdf"},
+                                             {"roomba-400", "roomba_400.urdf"},
                                              {"turtlebot3-burger", "turtlebot3_burger.urdf"}}};
 
 std::string known_robots() {

@@ -1,5 +1,5 @@
 /// \file
-/// `scrubjay explore WORLD`: a simulated robot explores and leaves a map.
+/// `scrubjay explore`: a robot, simulated or on a wire, explores and leaves a map.
 #include <fmt/format.h>
 
 #include <memory>
@@ -9,8 +9,12 @@
 #include <scrubjay/mission/strategies.hpp>
 
 #include "commands.hpp"
+#include "data_folder.hpp"
 #include "interrupt.hpp"
+#include "live_run.hpp"
 #include "progress.hpp"
+#include "recorded_run.hpp"
+#include "robot_address.hpp"
 #include "run_options.hpp"
 #include "simulated_run.hpp"
 #include "summary.hpp"
@@ -19,18 +23,33 @@ namespace scrubjay::apps {
 namespace {
 
 struct ExploreFlags {
+  std::string robot = "sim";
   ScenarioFlags scenario;
   OutputFlags output;
-  double speed = 0.0;
+  std::optional<double> speed;
   std::optional<std::string> out;
   std::optional<std::string> record;
   OctomapFlags octomap;
 };
 
-void explore(const ExploreFlags& flags) {
+std::filesystem::path run_folder(const ExploreFlags& flags, const std::filesystem::path& named_after) {
+  return flags.out ? std::filesystem::path(*flags.out) : std::filesystem::path("out") / named_after.stem();
+}
+
+/// Writes and prints what there is of a run.
+void tell(const RunResult& run, const std::filesystem::path& folder, const ExploreFlags& flags) {
+  write_run(folder, run);
+  if (flags.octomap.file) write_octomap(*flags.octomap.file, run.map, flags.octomap.height);
+  print_summary(run, folder, flags.output);
+}
+
+void expect_robot(const RunResult& run) {
+  if (run.report.ended == Ended::RobotGone) throw Error("the robot fell silent", Error::Kind::Failure);
+}
+
+void explore_simulated(const ExploreFlags& flags) {
   const Scenario scenario = make_scenario(flags.scenario);
-  expect_speed(flags.speed);
-  check_octomap(flags.octomap);
+  expect_speed(flags.speed.value_or(0.0));
   const Stage stage = set_stage(scenario);
   // What can't be made is refused before anything is written.
   make_strategy(scenario.strategy, strategy_setting(scenario, stage.robot.model));
@@ -39,31 +58,72 @@ void explore(const ExploreFlags& flags) {
     throw Error(fmt::format("--record keeps the bytes of the Open Interface, which {} doesn't speak", scenario.model));
   }
   const GroundTruth truth = truth_of(stage, scenario.resolution);
-  const std::filesystem::path folder =
-      flags.out ? std::filesystem::path(*flags.out)
-                : std::filesystem::path("out") / std::filesystem::path(scenario.world).stem();
+  const std::filesystem::path folder = run_folder(flags, scenario.world);
   prepare_run_folder(folder);
 
   const Interrupt interrupt;
   RunOptions options;
-  options.speed = flags.speed;
+  options.speed = flags.speed.value_or(0.0);
   if (flags.record) options.record = *flags.record;
   std::optional<Progress> progress;
-  if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(truth);
+  if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(&truth);
   const RunResult run = run_simulated(scenario, stage, truth, options, interrupt.token());
   progress.reset();
-  write_run(folder, run);
-  if (flags.octomap.file) write_octomap(*flags.octomap.file, run.map, flags.octomap.height);
-  print_summary(run, folder, flags.output);
-  if (run.report.ended == Ended::RobotGone) throw Error("the robot fell silent", Error::Kind::Failure);
+  tell(run, folder, flags);
+  expect_robot(run);
+}
+
+void explore_live(const ExploreFlags& flags, const SerialAddress& address) {
+  Scenario scenario = make_live_scenario(flags.scenario);
+  if (flags.speed) throw Error("--speed is for a simulated robot; want none with a real one");
+  const RobotModel likely = find_robot(scenario.model).model;
+  make_strategy(scenario.strategy, strategy_setting(scenario, likely));
+  make_estimation(scenario, likely);
+  const std::filesystem::path folder = run_folder(flags, address.path);
+  prepare_run_folder(folder);
+
+  const Interrupt interrupt;
+  const bool told = flags.scenario.model || flags.scenario.scenario_file;
+  LiveRobot live(address, told ? std::optional(scenario.model) : std::nullopt, OiRobot::Session::Drive,
+                 interrupt.token(), flags.output.quiet);
+  scenario.model = live.model_name();
+  LiveOptions options;
+  if (flags.record) options.record = *flags.record;
+  std::optional<Progress> progress;
+  if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(nullptr);
+  const RunResult run = run_live(scenario, live.robot(), options, interrupt.token());
+  progress.reset();
+  tell(run, folder, flags);
+  expect_robot(run);
+}
+
+void explore_recorded(const ExploreFlags& flags, const InRecording& recording) {
+  if (flags.record) throw Error("--record is for a robot that is there; want none with a recorded one");
+  expect_speed(flags.speed.value_or(0.0));
+  Recording opened = open_recording(recording.file);
+  Scenario scenario = opened.scenario;
+  apply_flags(flags.scenario, scenario);
+  const std::filesystem::path folder = run_folder(flags, recording.file);
+  prepare_run_folder(folder);
+  const Interrupt interrupt;
+  tell(run_recorded(opened, scenario, flags.speed.value_or(0.0), interrupt.token()), folder, flags);
+}
+
+void explore(const ExploreFlags& flags) {
+  check_octomap(flags.octomap);
+  const RobotAddress address = parse_robot_address(flags.robot);
+  if (const auto* serial = std::get_if<SerialAddress>(&address)) return explore_live(flags, *serial);
+  if (const auto* recording = std::get_if<InRecording>(&address)) return explore_recorded(flags, *recording);
+  explore_simulated(flags);
 }
 
 }  // namespace
 
 void add_explore(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("explore", "Explore a world with a simulated robot and write a map");
+  CLI::App* command = app.add_subcommand("explore", "Explore with a robot and write a map");
   const auto flags = std::make_shared<ExploreFlags>();
   add_scenario_flags(*command, flags->scenario);
+  command->add_option("--robot", flags->robot, "sim, serial:PATH[@BAUD] or log:FILE (sim)");
   command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)")->check(number);
   command->add_option("--out", flags->out, "folder for the results (out/WORLD)");
   command->add_option("--record", flags->record, "record all bytes to this .oilog");

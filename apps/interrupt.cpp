@@ -10,6 +10,10 @@ sigset_t stop_signals() {
   sigemptyset(&set);
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
+  // Whoever has it ignored wants the run to outlive the terminal, as nohup does.
+  struct sigaction hang_up {};
+  sigaction(SIGHUP, nullptr, &hang_up);
+  if (hang_up.sa_handler != SIG_IGN) sigaddset(&set, SIGHUP);
   return set;
 }
 
@@ -24,7 +28,8 @@ Interrupt::Interrupt() {
       const int signal = sigwaitinfo(&awaited, nullptr);
       if (end.stop_requested()) return;  // woken by the destructor
       if (signal <= 0) continue;
-      if (stop_.stop_requested()) {
+      // A window that closes may say so twice: the shell passes on what the kernel has sent already.
+      if (stop_.stop_requested() && signal != SIGHUP) {
         // Asked twice: whoever asks doesn't want to wait for the files.
         std::signal(signal, SIG_DFL);
         pthread_sigmask(SIG_UNBLOCK, &awaited, nullptr);

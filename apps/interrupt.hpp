@@ -1,5 +1,5 @@
 /// \file
-/// Ctrl-C and SIGTERM as a stop token.
+/// Ctrl-C, SIGTERM and a terminal that goes away as a stop token.
 #pragma once
 
 #include <stop_token>
@@ -7,8 +7,9 @@
 
 namespace scrubjay::apps {
 
-/// While it lives, SIGINT and SIGTERM request a stop instead of ending the process; a second one ends it at once.
-/// To be made before any other thread, which then leaves the signals to this one.
+/// While it lives, SIGINT, SIGTERM and SIGHUP request a stop instead of ending the process; a second one ends it at
+/// once, but for SIGHUP, which a closing window may send twice. To be made before any other thread, which then leaves
+/// the signals to this one.
 class Interrupt {
  public:
   Interrupt();

@@ -18,7 +18,8 @@ namespace scrubjay::apps {
 namespace {
 
 int complain(const std::string& what, int code) {
-  fmt::print(stderr, "scrubjay: {}\n", what);
+  // Not by fmt::print, which throws where nobody listens any more, as on a terminal that is gone.
+  std::fputs(fmt::format("scrubjay: {}\n", what).c_str(), stderr);
   return code;
 }
 
@@ -70,9 +71,15 @@ int run(int argc, char** argv) {
   add_explore(app);
   add_replay(app);
   add_compare(app);
+  add_calibrate(app);
+  add_emulate(app);
+  add_record(app);
+  add_tap(app);
   add_render(app);
   add_score(app);
   add_info(app);
+  add_doctor(app);
+  add_drive(app);
   if (argc < 2) {
     fmt::print(stderr, "{}", app.help());
     return kWrongInput;

@@ -14,7 +14,7 @@ struct Known {
   double coverage = 0.0;
 };
 
-Known count_known(GridView<const LogOdds> map, const GroundTruth& truth) {
+Known count_known(GridView<const LogOdds> map, const GroundTruth* truth) {
   Known known;
   std::size_t covered = 0;
   for (std::int32_t y = 0; y < map.geometry.height; ++y) {
@@ -22,12 +22,15 @@ Known count_known(GridView<const LogOdds> map, const GroundTruth& truth) {
       const Occupancy value = trinary(map[{x, y}]);
       if (value == kUnknown) continue;
       ++known.cells;
-      const CellIndex there = truth.geometry.cell_at(map.geometry.center({x, y}));
-      covered += value == kFree && truth.geometry.contains(there) && truth.cells[truth.geometry.index(there)].reachable;
+      if (truth == nullptr) continue;
+      const CellIndex there = truth->geometry.cell_at(map.geometry.center({x, y}));
+      covered +=
+          value == kFree && truth->geometry.contains(there) && truth->cells[truth->geometry.index(there)].reachable;
     }
   }
-  known.coverage =
-      truth.reachable_count > 0 ? static_cast<double>(covered) / static_cast<double>(truth.reachable_count) : 1.0;
+  if (truth != nullptr && truth->reachable_count > 0) {
+    known.coverage = static_cast<double>(covered) / static_cast<double>(truth->reachable_count);
+  }
   return known;
 }
 
@@ -54,9 +57,11 @@ void Progress::show(const Snapshot& now, Clock::time_point clock) {
   any_ = true;
   const double elapsed = std::chrono::duration<double>(clock - begin_).count();
   const Known known = count_known(now.map, truth_);
+  const std::string share = truth_ != nullptr ? fmt::format("{:6.0f} x  {:3.0f} % covered  ", now.frame.stamp / elapsed,
+                                                            100.0 * known.coverage)
+                                              : "";
   const std::string line =
-      fmt::format("{:6.0f} s  {:6.0f} x  {:7} cells  {:3.0f} % covered  {}", now.frame.stamp, now.frame.stamp / elapsed,
-                  known.cells, 100.0 * known.coverage, now.decision.doing);
+      fmt::format("{:6.0f} s  {:7} cells  {}{}", now.frame.stamp, known.cells, share, now.decision.doing);
   fmt::print(stderr, "\r\033[K{:.79}", line);
   std::fflush(stderr);
 }

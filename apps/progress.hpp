@@ -15,8 +15,8 @@ bool progress_wanted(bool quiet);
 /// the clock, not the run: nothing of it gets into results.
 class Progress final : public Observer {
  public:
-  /// `truth` must outlive it.
-  explicit Progress(const GroundTruth& truth) : truth_(truth) {}
+  /// `truth` must outlive it; nothing if nobody knows it, and the share that is covered.
+  explicit Progress(const GroundTruth* truth) : truth_(truth) {}
   ~Progress() override;
 
   void notify(const Snapshot& now) override;
@@ -26,7 +26,7 @@ class Progress final : public Observer {
 
   void show(const Snapshot& now, Clock::time_point clock);
 
-  const GroundTruth& truth_;
+  const GroundTruth* truth_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point shown_ = begin_;
   int ticks_ = 0;

@@ -19,6 +19,7 @@
 #include <scrubjay/mission/track.hpp>
 
 #include "interrupt.hpp"
+#include "passenger.hpp"
 
 namespace scrubjay::apps {
 namespace {
@@ -26,12 +27,6 @@ namespace {
 constexpr double kResolution = 0.05;    // [m]
 constexpr double kRobotRadius = 0.2;    // of the robots that made the classic logs, about [m]
 constexpr double kForwardCone = 180.0;  // [degrees]
-
-/// Decides nothing: the robot of a log goes where it went.
-class Passenger final : public Behavior {
- public:
-  Decision decide(const Situation&) override { return {}; }
-};
 
 /// The log's own poses, from its first one.
 std::vector<StampedPose> reference_of(const CarmenLog& log) {

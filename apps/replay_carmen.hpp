@@ -29,6 +29,7 @@ struct ReplayFlags {
   std::string log;
   double speed = 0.0;  ///< times real time; 0 is as fast as possible
   std::optional<std::string> out;
+  std::optional<std::string> calibration_file;
   CarmenFlags carmen;
   OctomapFlags octomap;
   OutputFlags output;

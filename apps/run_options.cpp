@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <scrubjay/error.hpp>
+#include <scrubjay/io/calibration_file.hpp>
 #include <scrubjay/io/scenario_file.hpp>
 #include <scrubjay/mission/estimation.hpp>
 #include <scrubjay/mission/strategies.hpp>
@@ -30,6 +31,9 @@ std::string listed(const std::vector<std::string_view>& names) {
   return text;
 }
 
+void expect_world(const Scenario& scenario);
+void check_figures(const Scenario& scenario);
+
 }  // namespace
 
 void add_scenario_flags(CLI::App& command, ScenarioFlags& flags) {
@@ -51,12 +55,12 @@ void add_scenario_flags(CLI::App& command, ScenarioFlags& flags) {
                    "a lidar's beams are measured one by one while it moves");
   command.add_option("--forward-cone", flags.forward_cone, "map only beams this near to straight ahead [deg] (180)")
       ->check(number);
+  command.add_option("--calibration", flags.calibration_file, "the robot's wheels, as scrubjay calibrate wrote them");
   command.add_option("--robot-radius", flags.robot_radius, "floor this near to a lidar robot is free [m] (its own)")
       ->check(number);
 }
 
-Scenario make_scenario(const ScenarioFlags& flags) {
-  Scenario scenario = flags.scenario_file ? read_scenario(*flags.scenario_file) : Scenario{};
+void apply_flags(const ScenarioFlags& flags, Scenario& scenario) {
   if (flags.world) scenario.world = *flags.world;
   if (flags.model) scenario.model = *flags.model;
   if (flags.strategy) scenario.strategy = *flags.strategy;
@@ -71,15 +75,55 @@ Scenario make_scenario(const ScenarioFlags& flags) {
   if (flags.motion_distortion) scenario.motion_distortion = true;
   if (flags.forward_cone) scenario.forward_cone = radians(*flags.forward_cone);
   if (flags.robot_radius) scenario.robot_radius = *flags.robot_radius;
-  check_scenario(scenario);
+  if (flags.calibration_file) scenario.calibration = calibration_for(scenario.model, *flags.calibration_file);
+  check_figures(scenario);
   const RobotModel robot = find_robot(scenario.model).model;
   if (scenario.strategy.empty()) scenario.strategy = default_strategy(robot);
   if (scenario.localizer.empty()) scenario.localizer = default_localizer(robot);
+}
+
+Scenario make_scenario(const ScenarioFlags& flags) {
+  Scenario scenario = flags.scenario_file ? read_scenario(*flags.scenario_file) : Scenario{};
+  if (flags.world) scenario.world = *flags.world;
+  expect_world(scenario);
+  apply_flags(flags, scenario);
   return scenario;
 }
 
+Scenario make_live_scenario(const ScenarioFlags& flags) {
+  const auto refuse = [](bool given, std::string_view flag) {
+    if (given) throw Error(fmt::format("{} is for a simulated robot; want none with a real one", flag));
+  };
+  refuse(flags.world.has_value(), "WORLD");
+  refuse(flags.noise.has_value(), "--noise");
+  refuse(flags.start.has_value(), "--start");
+  refuse(flags.motion_distortion, "--motion-distortion");
+  Scenario scenario = flags.scenario_file ? read_scenario(*flags.scenario_file) : Scenario{};
+  scenario.world.clear();
+  scenario.start.reset();
+  apply_flags(flags, scenario);
+  return scenario;
+}
+
+Calibration calibration_for(const std::string& model, const std::string& file) {
+  const CalibrationRecord record = read_calibration(file);
+  if (record.model == model) return record.calibration;
+  throw Error(fmt::format("{}: the calibration of a {}, but the robot is a {}; want its own, or --model {}", file,
+                          record.model, model, record.model));
+}
+
 void check_scenario(const Scenario& scenario) {
+  expect_world(scenario);
+  check_figures(scenario);
+}
+
+namespace {
+
+void expect_world(const Scenario& scenario) {
   if (scenario.world.empty()) throw Error("no world is given; want one, such as worlds/apartment.yaml");
+}
+
+void check_figures(const Scenario& scenario) {
   if (!(scenario.resolution >= 0.005 && scenario.resolution <= 1.0)) {
     throw Error(fmt::format("--resolution is {}; want a cell size from 0.005 to 1 m", scenario.resolution));
   }
@@ -94,6 +138,8 @@ void check_scenario(const Scenario& scenario) {
     throw Error(fmt::format("--robot-radius is {}; want 0 to 1 m", *scenario.robot_radius));
   }
 }
+
+}  // namespace
 
 void expect_speed(double speed) {
   if (!(speed >= 0.0)) throw Error(fmt::format("--speed is {}; want 0 (as fast as possible) or more", speed));

@@ -29,11 +29,19 @@ struct ScenarioFlags {
   bool motion_distortion = false;
   std::optional<double> forward_cone;  ///< [degrees]
   std::optional<double> robot_radius;  ///< [m]
+  std::optional<std::string> calibration_file;
 };
 
 void add_scenario_flags(CLI::App& command, ScenarioFlags& flags);
 /// The scenario file, if one was named, with the flags over it. Throws Error.
 Scenario make_scenario(const ScenarioFlags& flags);
+/// The same for a real robot, which brings its world with it: Throws Error for what only a simulated one can be told.
+Scenario make_live_scenario(const ScenarioFlags& flags);
+/// The flags over a scenario that isn't complete yet, and the strategy and the localizer that suit its model.
+void apply_flags(const ScenarioFlags& flags, Scenario& scenario);
+
+/// The factors of a calibration file. Throws Error; also if it is another model's.
+Calibration calibration_for(const std::string& model, const std::string& file);
 
 /// Throws Error if a scenario holds what no run can be made with.
 void check_scenario(const Scenario& scenario);

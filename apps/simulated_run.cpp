@@ -10,6 +10,7 @@
 #include <scrubjay/mission/paced_robot.hpp>
 #include <scrubjay/mission/strategies.hpp>
 #include <scrubjay/mission/track.hpp>
+#include <scrubjay/robot/calibrated_robot.hpp>
 #include <scrubjay/robot/oi_robot.hpp>
 #include <scrubjay/simulation/simulated_roomba.hpp>
 #include <scrubjay/simulation/simulated_turtlebot.hpp>
@@ -38,6 +39,7 @@ class SimulatedRobot {
       }
       robot_ = &oi_robot_.emplace(recording_ ? static_cast<ByteChannel&>(*recording_) : *roomba_, model);
     }
+    if (scenario.calibration) robot_ = &calibrated_.emplace(*robot_, *scenario.calibration, model.drive);
     if (options.speed > 0.0) robot_ = &paced_.emplace(*robot_, options.speed);
   }
 
@@ -53,6 +55,7 @@ class SimulatedRobot {
   std::optional<RecordingWriter> writer_;
   std::optional<RecordingChannel> recording_;
   std::optional<OiRobot> oi_robot_;
+  std::optional<CalibratedRobot> calibrated_;
   std::optional<PacedRobot> paced_;
   Robot* robot_ = nullptr;
 };

@@ -19,7 +19,24 @@ void print_leftovers(std::vector<Leftover> left) {
   if (left.size() > kShown) fmt::print("  and {} more (metrics.json)\n", left.size() - kShown);
 }
 
+/// With commas between thousands.
+std::string grouped(std::uint64_t number) {
+  if (number < 1000) return std::to_string(number);
+  return grouped(number / 1000) + fmt::format(",{:03}", number % 1000);
+}
+
 }  // namespace
+
+std::string link_line(const LinkReport& link) {
+  std::string line = fmt::format("link: {} frames, {} lost", grouped(link.frames), grouped(link.lost_frames));
+  if (link.bad_bytes > 0) line += fmt::format(", {} stray bytes", grouped(link.bad_bytes));
+  if (link.silences > 0) {
+    line += fmt::format(", {} {} ({:.1f} s silent)", link.reconnections,
+                        link.reconnections == 1 ? "reconnection" : "reconnections", link.longest_silence);
+  }
+  if (link.watchdog_stops > 0) line += fmt::format(", {} stopped by the watchdog", link.watchdog_stops);
+  return line;
+}
 
 void print_summary(const RunResult& run, const std::filesystem::path& folder, const OutputFlags& flags) {
   if (flags.json) return fmt::print("{}", metrics_json(run));
@@ -39,6 +56,7 @@ void print_summary(const RunResult& run, const std::filesystem::path& folder, co
                  run.truth->error.final_distance);
     }
   }
+  if (run.link) fmt::print("{}\n", link_line(*run.link));
   if (run.cpu_time > 0.0) {
     fmt::print("{:.0f} times real time ({:.2f} s)\n", report.time / run.cpu_time, run.wall_time);
   }

@@ -33,7 +33,8 @@ endif()
 # What our own code is compiled with and nobody who links it has to know.
 add_library(scrubjay_options INTERFACE)
 target_compile_options(scrubjay_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast>
   # No fused multiply-add behind our back: results must be the same bits on every machine.
   -ffp-contract=off)
 if(SCRUBJAY_WERROR)

@@ -13,6 +13,7 @@ install(FILES ${PROJECT_BINARY_DIR}/scrubjay-config.cmake ${PROJECT_BINARY_DIR}/
   DESTINATION ${package_dir})
 install(FILES package.xml LICENSE DESTINATION ${data_dir})
 
+install(FILES include/scrubjay/scrubjay_c.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scrubjay)
 if(SCRUBJAY_HOSTED)
   file(GLOB root_headers include/scrubjay/*.hpp)
   install(FILES ${root_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scrubjay)

@@ -58,6 +58,16 @@ void add_reference(Json& json, const LogReference& reference) {
   json["poses"] = reference.poses;
 }
 
+Json link_json(const LinkReport& link) {
+  return {{"frames", link.frames},
+          {"lost_frames", link.lost_frames},
+          {"bad_bytes", link.bad_bytes},
+          {"silences", link.silences},
+          {"reconnections", link.reconnections},
+          {"longest_silence_s", rounded(link.longest_silence)},
+          {"watchdog_stops", link.watchdog_stops}};
+}
+
 std::string title_of(const RunResult& run) {
   if (run.reference) return fmt::format("{}, {}", run.reference->log, run.reference->poses);
   const std::string world = std::filesystem::path(run.scenario.world).stem().string();
@@ -121,6 +131,7 @@ std::string metrics_json(const RunResult& run) {
     add_reference(json, *run.reference);
     return json.dump(2) + "\n";
   }
+  if (run.link) json["link"] = link_json(*run.link);
   json["strategy"] = run.scenario.strategy;
   json["localizer"] = run.scenario.localizer;
   json["model"] = run.scenario.model;

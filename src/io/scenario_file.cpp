@@ -5,24 +5,12 @@
 #include <scrubjay/io/scenario_file.hpp>
 #include <scrubjay/io/world_reader.hpp>
 
+#include "factors.hpp"
 #include "file_content.hpp"
 #include "yaml_field.hpp"
 
 namespace scrubjay {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '\n') {
-      out += "\\n";
-      continue;
-    }
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + "\"";
-}
 
 std::uint64_t read_seed(const YamlField& field) {
   const std::string text = field.text();
@@ -60,6 +48,10 @@ std::string scenario_text(const Scenario& scenario) {
   if (scenario.start) {
     text += fmt::format("start: [{}, {}, {}]\n", scenario.start->x, scenario.start->y, scenario.start->yaw);
   }
+  if (scenario.calibration) {
+    const auto& [left, right, axle] = *scenario.calibration;
+    text += fmt::format("calibration: {{left: {}, right: {}, axle: {}}}\n", left, right, axle);
+  }
   text += fmt::format("resolution: {}\nmax_time: {}\n", scenario.resolution, scenario.max_time);
   if (scenario.within) {
     const auto& [low, high] = *scenario.within;
@@ -75,7 +67,7 @@ std::string scenario_text(const Scenario& scenario) {
 Scenario parse_scenario(const std::string& text, const std::string& file) {
   const YamlField root = YamlField::parse(text, file);
   root.expect_keys({"world", "model", "strategy", "localizer", "noise", "seed", "start", "resolution", "max_time",
-                    "within", "return_home", "motion_distortion", "forward_cone", "robot_radius"});
+                    "within", "return_home", "motion_distortion", "forward_cone", "robot_radius", "calibration"});
   Scenario scenario;
   if (root.has("world")) scenario.world = root.at("world").text();
   if (root.has("model")) scenario.model = root.at("model").text();
@@ -93,6 +85,11 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
   }
   if (root.has("max_time")) {
     scenario.max_time = root.at("max_time").number({0.0, 1e7, true, "a positive number of seconds"});
+  }
+  if (root.has("calibration")) {
+    const YamlField field = root.at("calibration");
+    field.expect_keys({"left", "right", "axle"});
+    scenario.calibration = read_factors(field);
   }
   read_exploration(root, scenario);
   return scenario;

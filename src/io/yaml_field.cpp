@@ -24,6 +24,19 @@ std::string shown(const std::string& text) {
 
 }  // namespace
 
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '\n') {
+      out += "\\n";
+      continue;
+    }
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "\"";
+}
+
 YamlField YamlField::parse(const std::string& text, const std::string& file) {
   try {
     return {YAML::Load(text), "", file};

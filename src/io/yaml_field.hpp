@@ -20,6 +20,9 @@ struct NumberRange {
   std::string_view want = "a number";
 };
 
+/// Any text as a scalar in double quotes, which reads back the same.
+std::string quoted(const std::string& text);
+
 /// A node of a YAML document with its path, such as furniture[3].disc.radius. All readers throw Error:
 /// `worlds/flat.yaml:12: furniture[3].disc.radius is -0.2; want a positive length in metres`.
 class YamlField {

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <scrubjay/oi/infrared.hpp>
-#include <scrubjay/oi/sensor_views.hpp>
 #include <scrubjay/robot/oi_robot.hpp>
 
 namespace scrubjay {
@@ -11,6 +9,14 @@ using oi::PacketId;
 
 constexpr double kRetryInterval = 0.25;  // between attempts to take control again [s]
 constexpr double kReplyTimeout = 0.05;   // a reply that isn't whole by then has lost a byte [s]
+
+constexpr double kRenewal = 0.03;        // between two tellings of the same motion: every other tick [s]
+constexpr double kSurePassive = 0.1;     // a robot that says so for as long is in Passive mode, and stays there [s]
+constexpr double kSilentRenewal = 0.03;  // between two orders to stand, to a silent robot [s]
+constexpr int kUnknownSpeed = 1 << 16;   // no speed that could be wanted [mm/s]
+
+/// No commands, one by one; data enough for the longest list that a damaged command may have become.
+constexpr std::array<std::uint8_t, 256> kZeros{};
 
 oi::SensorId all_packets(oi::Model model) {
   switch (model) {
@@ -57,21 +63,35 @@ oi::Drive as_drive(int left, int right, double separation) {
 
 }  // namespace
 
-OiRobot::OiRobot(ByteChannel& channel, const RobotModel& model, const oi::FirmwareQuirks& quirks)
+OiRobot::OiRobot(ByteChannel& channel, const RobotModel& model, const oi::FirmwareQuirks& quirks, Session session)
     : channel_(channel),
       model_(model),
-      quirks_(quirks),
+      session_(session),
       parser_(model.protocol, payload_size(model.protocol)),
-      reply_(model.protocol) {
+      reply_(model.protocol),
+      frame_maker_(model, quirks) {
+  begin_session();
+}
+
+void OiRobot::begin_session() {
   send(oi::Start{});
   if (!streams()) {
-    send(oi::Control{});  // from Passive to Safe; Safe itself leads down from Full only (Roomba SCI)
-    ask(0.0);
+    // From Passive to Safe; Safe itself leads down from Full only (Roomba SCI).
+    if (!listens()) send(oi::Control{});
+    ask(stamp_);
     return;
   }
-  send(oi::Safe{});
-  const oi::SensorId id = all_packets(model.protocol);
+  if (!listens()) send(oi::Safe{});
+  const oi::SensorId id = all_packets(model_.protocol);
   if (const auto ids = oi::FixedList<oi::SensorId, 0, 255>::of({&id, 1})) send(oi::Stream{*ids});
+}
+
+void OiRobot::restart() {
+  link_ = LinkState::Silent;
+  keeps_mode_ = true;
+  flush();
+  begin_session();
+  left_speed_ = right_speed_ = 0;  // Start makes it stand
 }
 
 bool OiRobot::send(const oi::Command& command) {
@@ -79,6 +99,23 @@ bool OiRobot::send(const oi::Command& command) {
   const bool sent = channel_.write(bytes);
   if (!sent) link_ = LinkState::Closed;
   return sent;
+}
+
+/// Ends a command that lost a byte, or that a flipped bit made longer.
+void OiRobot::flush() {
+  if (!channel_.write(kZeros)) link_ = LinkState::Closed;
+}
+
+void OiRobot::tell(int left, int right) {
+  left_speed_ = left;
+  right_speed_ = right;
+  told_stamp_ = stamp_;
+  if (!streams()) {
+    send(as_drive(left, right, model_.drive.wheel_separation));
+    return;
+  }
+  send(oi::DriveDirect{oi::Velocity::clamped(right), oi::Velocity::clamped(left)});
+  echo_.tell(left, right, stamp_);
 }
 
 void OiRobot::ask(double stamp) {
@@ -94,10 +131,17 @@ std::optional<Frame> OiRobot::next() {
   return frames_[next_frame_++];
 }
 
+std::optional<Frame> OiRobot::poll() {
+  if (next_frame_ == frame_count_) receive();
+  if (next_frame_ == frame_count_) return std::nullopt;
+  return frames_[next_frame_++];
+}
+
 bool OiRobot::receive() {
   next_frame_ = frame_count_ = 0;
   std::array<std::uint8_t, kReadSize> buffer;
   const ByteRead read = channel_.read(buffer);
+  stamp_ = read.stamp;
   if (!started_) {
     started_ = true;
     last_stamp_ = mode_sent_stamp_ = asked_stamp_ = read.stamp;
@@ -116,14 +160,24 @@ bool OiRobot::receive() {
   if (!read.open) {
     link_ = LinkState::Closed;
   } else if (link_ != LinkState::Closed && read.stamp - last_stamp_ >= kSilence) {
-    link_ = LinkState::Silent;
+    fall_silent();
   }
   return link_ == LinkState::Alive;
 }
 
+void OiRobot::fall_silent() {
+  const bool noticed = link_ == LinkState::Alive;
+  link_ = LinkState::Silent;
+  if (!driven_) return;
+  if (noticed) flush();
+  if (noticed || stamp_ - told_stamp_ >= kSilentRenewal) halt();
+}
+
 void OiRobot::take_reply(std::span<const std::uint8_t> bytes, double stamp) {
   if (bytes.empty()) {
-    if (reply_.awaited() == 0 || stamp - asked_stamp_ >= kReplyTimeout) ask(stamp);
+    const bool late = stamp - asked_stamp_ >= kReplyTimeout;
+    if (reply_.awaited() > 0 && late) ++lost_replies_;
+    if (reply_.awaited() == 0 || late) ask(stamp);
     return;
   }
   if (reply_.awaited() == 0) return;
@@ -137,80 +191,17 @@ void OiRobot::take_reply(std::span<const std::uint8_t> bytes, double stamp) {
 void OiRobot::arrive(const oi::DecodeStatus& status, double stamp) {
   rejected_values_ += status.rejected;
   if (!status.ok || frame_count_ == frames_.size()) return;
-  frames_[frame_count_] = make_frame(stamp);
+  frames_[frame_count_] = frame_maker_.make(sensors_, stamp, stamp - last_stamp_, wanted_);
+  frame_tally_.arrive(stamp);
   keep_mode(frames_[frame_count_]);
+  heal_deafness(frames_[frame_count_]);
   ++frame_count_;
   last_stamp_ = stamp;
 }
 
-Frame OiRobot::make_frame(double stamp) {
-  const oi::Sensors& s = sensors_;
-  Frame frame;
-  frame.stamp = stamp;
-  read_travel(frame);
-  const oi::BumpsAndWheelDrops shell = oi::bumps_and_wheel_drops(s);
-  frame.bump_left = shell.bump_left;
-  frame.bump_right = shell.bump_right;
-  frame.wheel_drop_left = shell.wheel_drop_left;
-  frame.wheel_drop_right = shell.wheel_drop_right;
-  frame.light_flags = static_cast<std::uint8_t>(s[PacketId::LightBumper]);
-  for (std::size_t i = 0; i < frame.light_signal.size(); ++i) {
-    const auto id = static_cast<PacketId>(number(PacketId::LightBumpLeftSignal) + i);
-    frame.light_signal[i] = static_cast<std::uint16_t>(s[id]);
-  }
-  for (int i = 0; i < kCliffSensorCount; ++i) {
-    const auto id = static_cast<PacketId>(number(PacketId::CliffLeft) + i);
-    frame.cliff_flags |= static_cast<std::uint8_t>((s[id] != 0 ? 1 : 0) << i);
-  }
-  frame.wall = s[PacketId::Wall] != 0;
-  frame.wall_signal = static_cast<std::uint16_t>(s[PacketId::WallSignal]);
-  frame.virtual_wall = s[PacketId::VirtualWall] != 0;
-  const auto character = [&](PacketId id) {
-    const auto value = static_cast<std::uint8_t>(s[id]);
-    return value == oi::no_character(model_.protocol) ? std::uint8_t{0} : value;
-  };
-  frame.infrared_omni = character(PacketId::InfraredCharacterOmni);
-  frame.infrared_left = character(PacketId::InfraredCharacterLeft);
-  frame.infrared_right = character(PacketId::InfraredCharacterRight);
-  frame.dirt = static_cast<std::uint8_t>(s[PacketId::DirtDetect]);
-  frame.mode = oi::corrected_mode(s[PacketId::OiMode], quirks_).value_or(oi::OiMode::Off);
-  frame.battery = {s[PacketId::Voltage] * 1e-3,
-                   s[PacketId::Current] * 1e-3,
-                   s[PacketId::BatteryCharge] * 1e-3,
-                   s[PacketId::BatteryCapacity] * 1e-3,
-                   static_cast<double>(s[PacketId::Temperature]),
-                   oi::is_charging(oi::charging_state(s))};
-  return frame;
-}
-
-void OiRobot::read_travel(Frame& frame) {
-  // No wheel turns farther in the time since the last frame, late as that may have been.
-  const double reach = 2.0 * model_.max_wheel_speed * (frame.stamp - last_stamp_ + kSilence);
-  if (sensors_.has(PacketId::LeftEncoderCounts)) {
-    const oi::EncoderCounts counts =
-        oi::corrected_encoders(sensors_[PacketId::LeftEncoderCounts], sensors_[PacketId::RightEncoderCounts], quirks_);
-    const double per_count = model_.drive.metres_per_count();
-    const int max_step = static_cast<int>(std::clamp(reach / per_count, 0.0, 32767.0));
-    frame.left_travel = per_count * left_encoder_.advance(static_cast<std::uint16_t>(counts.left), max_step);
-    frame.right_travel = per_count * right_encoder_.advance(static_cast<std::uint16_t>(counts.right), max_step);
-    return;
-  }
-  const double distance = quirks_.distance_wrong ? 0.0 : sensors_[PacketId::Distance] * 1e-3;
-  const double half_turn =
-      model_.protocol == oi::Model::Roomba400
-          // The SCI reports half the wheels' difference in mm.
-          ? sensors_[PacketId::Angle] * 1e-3
-          : 0.5 * model_.drive.wheel_separation * radians(oi::corrected_angle(sensors_[PacketId::Angle], quirks_));
-  // The first reading counts from whenever the robot was last asked, as an encoder's does.
-  if (measures_ && std::fabs(distance) + std::fabs(half_turn) <= reach) {
-    frame.left_travel = distance - half_turn;
-    frame.right_travel = distance + half_turn;
-  }
-  measures_ = true;
-}
-
 void OiRobot::keep_mode(const Frame& frame) {
-  if (!sensors_.has(PacketId::OiMode) || frame.mode == oi::OiMode::Safe || frame.mode == oi::OiMode::Full) return;
+  if (listens() || !keeps_mode_ || !sensors_.has(PacketId::OiMode)) return;
+  if (frame.mode == oi::OiMode::Safe || frame.mode == oi::OiMode::Full) return;
   if (frame.wheel_dropped() || frame.battery.charging) return;
   if (frame.stamp - mode_sent_stamp_ < kRetryInterval) return;
   mode_sent_stamp_ = frame.stamp;
@@ -219,7 +210,21 @@ void OiRobot::keep_mode(const Frame& frame) {
   left_speed_ = right_speed_ = 0;  // as the robot has them now: the next motion is sent
 }
 
+void OiRobot::heal_deafness(const Frame& frame) {
+  // In Passive it hears, and doesn't obey.
+  const bool obeys = frame.mode == oi::OiMode::Safe || frame.mode == oi::OiMode::Full;
+  if (!driven_ || !obeys || !sensors_.has(PacketId::RequestedRightVelocity)) return;
+  const int left = sensors_[PacketId::RequestedLeftVelocity];
+  const int right = sensors_[PacketId::RequestedRightVelocity];
+  if (left_speed_ == kUnknownSpeed || !echo_.is_deaf(left, right, frame.stamp)) return;
+  ++deafnesses_;
+  flush();
+  // The next motion is told in any case; this one isn't ours to renew, and somebody else may have stopped it.
+  left_speed_ = right_speed_ = kUnknownSpeed;
+}
+
 void OiRobot::drive(const Motion& motion) {
+  if (listens()) return;
   // What isn't a number moves no wheel; what is too fast for one wheel slows both, so that the curve stays.
   const bool sound = std::isfinite(motion.linear) && std::isfinite(motion.angular);
   const double linear = sound ? motion.linear : 0.0;
@@ -228,20 +233,47 @@ void OiRobot::drive(const Motion& motion) {
   const double share = fastest > model_.max_wheel_speed ? model_.max_wheel_speed / fastest : 1.0;
   const int left = to_millimetres(share * (linear - half), model_.max_wheel_speed);
   const int right = to_millimetres(share * (linear + half), model_.max_wheel_speed);
-  if (left == left_speed_ && right == right_speed_) return;
-  left_speed_ = left;
-  right_speed_ = right;
-  if (streams()) {
-    send(oi::DriveDirect{oi::Velocity::clamped(right), oi::Velocity::clamped(left)});
-  } else {
-    send(as_drive(left, right, model_.drive.wheel_separation));
-  }
+  keeps_mode_ = true;
+  driven_ = driven_ || left != 0 || right != 0;
+  wanted_ = {left * 1e-3, right * 1e-3};
+  if (left == left_speed_ && right == right_speed_ && stamp_ - told_stamp_ < kRenewal) return;
+  tell(left, right);
+}
+
+void OiRobot::halt() {
+  tell(0, 0);
+  left_speed_ = right_speed_ = kUnknownSpeed;
 }
 
 void OiRobot::stop() {
+  if (listens()) return;
+  keeps_mode_ = driven_ = false;
   left_speed_ = right_speed_ = 0;
-  send(oi::Drive{oi::Velocity(0), oi::Radius::straight()});
-  send(oi::Start{});  // Passive: it may charge
+  wanted_ = {};
+  flush();
+  // Twice: a lost byte makes the first Drive take Start for its last one.
+  for (int i = 0; i < 2; ++i) {
+    send(oi::Drive{oi::Velocity(0), oi::Radius::straight()});
+    send(oi::Start{});  // Passive: it may charge
+  }
+}
+
+bool OiRobot::confirm_stop(double patience) {
+  const double begin = stamp_;
+  double sent = stamp_;
+  double passive_since = stamp_;
+  while (stamp_ - begin < patience) {
+    const bool heard = receive();
+    if (link_ == LinkState::Closed) break;
+    // A robot that was in Passive before may yet heed a command that is on its way.
+    const bool passive = heard && frame_count_ > 0 && frames_[frame_count_ - 1].mode == oi::OiMode::Passive;
+    if (heard && frame_count_ > 0 && !passive) passive_since = stamp_;
+    if (passive && stamp_ - passive_since >= kSurePassive) return true;
+    if (passive || stamp_ - sent < kSurePassive) continue;
+    sent = stamp_;
+    stop();
+  }
+  return false;
 }
 
 }  // namespace scrubjay

@@ -9,8 +9,13 @@
 
 namespace scrubjay::sim {
 
-inline Battery full_battery(const BatterySpec& pack) {
-  return {pack.full_voltage, 0.0, pack.capacity, pack.capacity, 25.0, false};
+inline double voltage_of(const BatterySpec& pack, double share) {
+  return pack.empty_voltage + (pack.full_voltage - pack.empty_voltage) * share;
+}
+
+/// At rest, and full to that share.
+inline Battery charged_battery(const BatterySpec& pack, double share) {
+  return {voltage_of(pack, share), 0.0, share * pack.capacity, pack.capacity, 25.0, false};
 }
 
 /// `dt` [s] of standing or driving at these wheel speeds; it charges while it stands `docked`.
@@ -21,7 +26,7 @@ inline void use_battery(const RobotSpec& spec, const WheelSpeeds& speeds, bool d
   battery.current = battery.charging ? pack.charge_current : -(pack.idle_current + pack.drive_current * effort);
   const double hours = dt / 3600.0;
   battery.charge = std::clamp(battery.charge + battery.current * hours, 0.0, battery.capacity);
-  battery.voltage = pack.empty_voltage + (pack.full_voltage - pack.empty_voltage) * battery.charge / battery.capacity;
+  battery.voltage = voltage_of(pack, battery.charge / battery.capacity);
 }
 
 }  // namespace scrubjay::sim

@@ -10,7 +10,7 @@ b2Vec2 to_box2d(const Point2& p) {
 }  // namespace
 
 ContactPhysics::ContactPhysics(std::span<const SolidSegment> solids, double radius, double friction)
-    : world_(std::make_unique<b2World>(b2Vec2(0.0f, 0.0f))) {
+    : world_(std::make_unique<b2World>(b2Vec2(0.0f, 0.0f))), friction_(static_cast<float>(friction)) {
   // A robot moves millimetres a tick, far less than its radius: nothing can be tunnelled through.
   world_->SetContinuousPhysics(false);
   world_->SetAllowSleeping(false);
@@ -23,7 +23,7 @@ ContactPhysics::ContactPhysics(std::span<const SolidSegment> solids, double radi
     edge.m_radius = 0.0f;  // no skin: the robot touches where the wall is
     b2FixtureDef fixture;
     fixture.shape = &edge;
-    fixture.friction = static_cast<float>(friction);
+    fixture.friction = friction_;
     ground->CreateFixture(&fixture);
   }
 
@@ -36,8 +36,22 @@ ContactPhysics::ContactPhysics(std::span<const SolidSegment> solids, double radi
   b2FixtureDef fixture;
   fixture.shape = &disc;
   fixture.density = 1.0f;
-  fixture.friction = static_cast<float>(friction);
+  fixture.friction = friction_;
   robot_->CreateFixture(&fixture);
+}
+
+void ContactPhysics::place_others(std::span<const Disc> others) {
+  while (others_.size() < others.size()) {
+    b2CircleShape shape;
+    shape.m_radius = static_cast<float>(others[others_.size()].radius);
+    b2FixtureDef fixture;
+    fixture.shape = &shape;
+    fixture.friction = friction_;
+    b2BodyDef definition;
+    others_.push_back(world_->CreateBody(&definition));
+    others_.back()->CreateFixture(&fixture);
+  }
+  for (std::size_t i = 0; i < others.size(); ++i) others_[i]->SetTransform(to_box2d(others[i].center), 0.0f);
 }
 
 Point2 ContactPhysics::push(const Point2& from, const Point2& step, double dt) {

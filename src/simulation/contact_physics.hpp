@@ -5,8 +5,10 @@
 #include <box2d/box2d.h>
 
 #include <memory>
+#include <scrubjay/simulation/disc.hpp>
 #include <scrubjay/world/world.hpp>
 #include <span>
+#include <vector>
 
 namespace scrubjay::sim {
 
@@ -18,12 +20,16 @@ class ContactPhysics {
  public:
   ContactPhysics(std::span<const SolidSegment> solids, double radius, double friction);
 
+  /// What else there is now, besides the solids. Their count must stay.
+  void place_others(std::span<const Disc> others);
   /// Where the disc gets when it tries to go from `from` by `step` [m] in `dt` [s].
   Point2 push(const Point2& from, const Point2& step, double dt);
 
  private:
   std::unique_ptr<b2World> world_;
   b2Body* robot_ = nullptr;
+  std::vector<b2Body*> others_;
+  float friction_;
 };
 
 }  // namespace scrubjay::sim

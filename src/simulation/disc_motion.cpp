@@ -23,23 +23,35 @@ DiscMotion::DiscMotion(const World& world, const SegmentIndex& index, const Robo
       drive_(spec, noise, errors, robot.fork(kDrive)),
       physics_(index.segments(), spec.model.radius - kContactTravel, noise.wall_friction),
       surroundings_(world, index, errors.albedo, reach) {
-  truth_.pose = start;
-  surroundings_.move_to(start.position());
+  place(start);
 }
 
-void DiscMotion::roll(const WheelSpeeds& wanted, double dt) {
+void DiscMotion::place(const Pose2& pose) {
+  truth_.pose = pose;
+  surroundings_.move_to(pose.position());
+}
+
+void DiscMotion::place_others(std::span<const Disc> others) {
+  physics_.place_others(others);
+  surroundings_.place_others(others, truth_.pose.position());
+}
+
+void DiscMotion::roll(const WheelSpeeds& wanted, double dt, const Hindrance& hindrance) {
   ++truth_.ticks;
+  lifted_ = hindrance.lifted;
   const double slip = carpet_slip_ > 0.0 ? carpet_slip_ * surroundings_.carpet_slip(truth_.pose.position()) : 0.0;
-  const Roll roll = drive_.tick(wanted, slip, dt);
+  const Roll roll = drive_.tick(wanted, slip, hindrance.wheel_stuck, dt);
   account(roll, make_way(roll, dt));
+  wheel_blocked_[0] |= hindrance.wheel_stuck[0] && wanted.left != 0.0;
+  wheel_blocked_[1] |= hindrance.wheel_stuck[1] && wanted.right != 0.0;
   surroundings_.move_to(truth_.pose.position());
 }
 
 /// Moves the robot, and says what share of the way it made that its wheels meant to.
 double DiscMotion::make_way(const Roll& roll, double dt) {
   Pose2& pose = truth_.pose;
-  const bool hanging = wheel_dropped_[0] || wheel_dropped_[1];
-  if (hanging) return 0.0;
+  if (lifted_) return 1.0;  // the wheels turn in the air
+  if (hanging()) return 0.0;
   const double middle = pose.yaw + 0.5 * roll.arc.turn;
   pose.yaw = wrap_angle(pose.yaw + roll.arc.turn);
   const double reach = chord(roll.arc);
@@ -63,7 +75,7 @@ void DiscMotion::account(const Roll& roll, double progress) {
   rolled_.right += roll.right - lost;
   const bool blocked = progress < 0.5;
   wheel_blocked_ = {blocked && roll.left != 0.0, blocked && roll.right != 0.0};
-  making_way_ = !blocked && roll.arc.length != 0.0;
+  making_way_ = !blocked && !lifted_ && roll.arc.length != 0.0;
 }
 
 void DiscMotion::settle(bool in_contact) {
@@ -72,7 +84,8 @@ void DiscMotion::settle(bool in_contact) {
     if (bump_kick_ > 0.0) truth_.pose.yaw = wrap_angle(truth_.pose.yaw + bump_kick_ * bump_random_.normal());
   }
   was_in_contact_ = in_contact;
-  if (!has_cliffs_) return;
+  wheel_dropped_ = {lifted_, lifted_};
+  if (!has_cliffs_ || lifted_) return;
   wheel_dropped_ = {surroundings_.over_cliff(truth_.pose * Point2(0.0, wheel_offset_)),
                     surroundings_.over_cliff(truth_.pose * Point2(0.0, -wheel_offset_))};
 }

@@ -34,9 +34,9 @@ double DriveTrain::approach(double speed, double wanted, double dt) const {
   return speed + std::clamp(wanted - speed, -limit, limit);
 }
 
-Roll DriveTrain::tick(const WheelSpeeds& wanted, double slip, double dt) {
-  speeds_.left = approach(speeds_.left, attainable(wanted.left), dt);
-  speeds_.right = approach(speeds_.right, attainable(wanted.right), dt);
+Roll DriveTrain::tick(const WheelSpeeds& wanted, double slip, const std::array<bool, 2>& stuck, double dt) {
+  speeds_.left = stuck[0] ? 0.0 : approach(speeds_.left, attainable(wanted.left), dt);
+  speeds_.right = stuck[1] ? 0.0 : approach(speeds_.right, attainable(wanted.right), dt);
   Roll roll;
   roll.left = speeds_.left * dt;
   roll.right = speeds_.right * dt;

@@ -2,6 +2,7 @@
 /// Motors, wheels and the floor: from wanted wheel speeds to the way that was made.
 #pragma once
 
+#include <array>
 #include <scrubjay/geometry/random.hpp>
 #include <scrubjay/odometry/arc.hpp>
 #include <scrubjay/simulation/body_senses.hpp>
@@ -21,8 +22,9 @@ class DriveTrain {
  public:
   DriveTrain(const RobotSpec& spec, const NoiseProfile& noise, const SystematicErrors& errors, const Random& random);
 
-  /// Advances by `dt` [s]. `slip` is the share of the way that the floor takes.
-  Roll tick(const WheelSpeeds& wanted, double slip, double dt);
+  /// Advances by `dt` [s]. `slip` is the share of the way that the floor takes; a wheel that is `stuck` (left, right)
+  /// stands.
+  Roll tick(const WheelSpeeds& wanted, double slip, const std::array<bool, 2>& stuck, double dt);
   const WheelSpeeds& speeds() const { return speeds_; }
 
  private:

@@ -1,29 +1,21 @@
 #include <algorithm>
 #include <cmath>
-#include <scrubjay/oi/infrared.hpp>
 #include <scrubjay/oi/opcode.hpp>
 #include <scrubjay/oi/stream_parser.hpp>
 #include <scrubjay/simulation/firmware.hpp>
 #include <scrubjay/simulation/roomba_body.hpp>
+#include <utility>
+
+#include "boot_banner.hpp"
 
 namespace scrubjay::sim {
 namespace {
 
-using oi::PacketId;
-
-int wire(double value) {
-  return static_cast<int>(std::lround(value));
-}
-
-int counts(double signal) {
-  return std::clamp(static_cast<int>(signal + 0.5), 0, 4095);
-}
-
 /// Queries that wait for a tick, at most: at 115,200 baud no more bytes than this can come in one.
 constexpr std::size_t kMaxQueries = 172 / 2;
 
-constexpr double kFloorSignal = 2500.0;  // of a cliff sensor over floor; own guess, as is that over none
-constexpr double kNoFloorSignal = 20.0;
+constexpr double kButtonPress = 1.0 / 6.0;       // [s]
+constexpr std::uint8_t kReportedButtons = 0x3F;  // schedule and clock never are: a bug of the firmware
 
 /// What Drive means for the wheels. Where the outer one can't be as fast as that, both are slower: the radius stays.
 /// A radius of 0, as in the four zeros that many a client stops with, is straight; own guess.
@@ -37,26 +29,61 @@ WheelSpeeds speeds_on_arc(double speed, oi::Radius radius, const RobotModel& mod
   return {slower * speed * (1.0 - share), slower * speed * (1.0 + share)};
 }
 
+/// The bits of Motors that turn the same motors the same way.
+std::uint8_t motor_bits(const oi::PwmMotors& pwm) {
+  const auto bit = [](bool set, std::uint8_t value) { return set ? value : std::uint8_t{0}; };
+  return static_cast<std::uint8_t>(bit(pwm.side_brush.value() != 0, oi::Motors::kSideBrush) |
+                                   bit(pwm.vacuum.value() != 0, oi::Motors::kVacuum) |
+                                   bit(pwm.main_brush.value() != 0, oi::Motors::kMainBrush) |
+                                   bit(pwm.side_brush.value() < 0, oi::Motors::kSideBrushClockwise) |
+                                   bit(pwm.main_brush.value() < 0, oi::Motors::kMainBrushReverse));
+}
+
 }  // namespace
 
 Firmware::Firmware(const RobotSpec& spec, const FirmwareOptions& options)
-    : spec_(spec), model_(spec.model.protocol), options_(options), decoder_(model_) {
+    : spec_(spec), model_(spec.model.protocol), options_(options), decoder_(model_), asleep_(options.asleep) {
   left_counted_ = right_counted_ = options.encoder_start;
 }
 
 void Firmware::receive(std::span<const std::uint8_t> bytes) {
+  if (asleep_) return;
   decoder_.feed(
       bytes, [this](const oi::Command& command) { obey(command); }, [this](const oi::Rejected&) { ++rejected_; });
 }
 
 void Firmware::obey(const oi::Command& command) {
+  if (asleep_) return;  // since a command before this one
+  idle_ = 0.0;
   const oi::Opcode opcode = opcode_of(command);
-  if (!allowed_in(opcode, mode_, model_)) {
+  if (boot_left_ > 0.0 || !allowed_in(opcode, mode_, model_)) {
     ++rejected_;
     return;
   }
+  if (opcode == oi::Opcode::Reset) return reboot();
   act(command);
   if (const auto after = oi::opcode_info(opcode, model_)->mode_after) enter(*after);
+  if (opcode == oi::Opcode::Power) fall_asleep();
+}
+
+void Firmware::reboot() {
+  Firmware booting(spec_, options_);
+  booting.decoder_ = decoder_;  // it is at work
+  booting.rejected_ = rejected_;
+  booting.left_before_ = left_before_;
+  booting.right_before_ = right_before_;
+  booting.boot_left_ = kBootTime;
+  booting.songs_played_ = songs_played_;
+  booting.asleep_ = false;
+  *this = std::move(booting);
+}
+
+/// The boot loader speaks in its first tick, the robot in its last.
+void Firmware::boot_on(std::vector<std::uint8_t>& out) {
+  const auto print = [&](const std::string& text) { out.insert(out.end(), text.begin(), text.end()); };
+  if (boot_left_ == kBootTime) print(boot_loader_banner());
+  boot_left_ = std::max(0.0, boot_left_ - kTick);
+  if (boot_left_ == 0.0) print(ready_banner(options_.release));
 }
 
 void Firmware::enter(oi::OiMode mode) {
@@ -117,6 +144,7 @@ void Firmware::act(const oi::Command& command) {
     if (song_left_ > 0.0) return;
     song_ = play->slot.value();
     for (const oi::Note& note : songs_[static_cast<std::size_t>(song_)]) song_left_ += note.duration / 64.0;
+    songs_played_ += song_left_ > 0.0;
     return;
   }
   if (const auto* leds = std::get_if<oi::Leds>(&command)) {
@@ -134,15 +162,24 @@ void Firmware::act(const oi::Command& command) {
                    [](oi::Ascii digit) { return static_cast<std::uint8_t>(digit.value()); });
     return;
   }
+  if (const auto* buttons = std::get_if<oi::Buttons>(&command)) {
+    buttons_ = buttons->bits & kReportedButtons;
+    buttons_left_ = kButtonPress;
+    return;
+  }
   if (const auto* motors = std::get_if<oi::Motors>(&command)) indicators_.motors = motors->bits;
+  if (const auto* motors = std::get_if<oi::PwmMotors>(&command)) indicators_.motors = motor_bits(*motors);
 }
 
 void Firmware::tick(const BodySenses& senses, std::vector<std::uint8_t>& out) {
+  if (asleep_) return;
+  if (boot_left_ > 0.0) boot_on(out);
   heed_safety(senses);
   store(senses);
   for (const oi::Command& query : queries_) answer(query, out);
   queries_.clear();
-  play_on();
+  pass_time(senses.docked);
+  if (idle_ >= kSleepAfter) fall_asleep();
   if (!streaming_) return;
   const std::size_t before = out.size();
   out.resize(before + oi::kMaxStreamFrame);
@@ -165,110 +202,28 @@ void Firmware::answer(const oi::Command& command, std::vector<std::uint8_t>& out
   }
 }
 
-void Firmware::heed_safety(const BodySenses& senses) {
-  oi::SafetyInputs inputs;
-  inputs.wheel_drop = senses.wheel_drop_left || senses.wheel_drop_right;
-  inputs.cliff = senses.cliff_flags != 0;
-  inputs.charger = senses.docked;
-  inputs.right_velocity = wire(wanted_.right * 1000.0);
-  inputs.left_velocity = wire(wanted_.left * 1000.0);
-  enter(mode_after_safety(mode_, inputs));
+void Firmware::fall_asleep() {
+  asleep_ = true;
+  drive(0.0, 0.0);
+  indicators_ = {};
+  streaming_ = false;
+  queries_.clear();
+  song_left_ = 0.0;
 }
 
-void Firmware::play_on() {
+void Firmware::pulse_brc() {
+  idle_ = 0.0;
+  if (!asleep_) return;
+  asleep_ = false;
+  decoder_ = oi::CommandDecoder(model_);
+  mode_ = oi::OiMode::Off;
+}
+
+void Firmware::pass_time(bool docked) {
+  const bool rests = mode_ == oi::OiMode::Passive && !docked;
+  idle_ = rests ? idle_ + kTick : 0.0;
   song_left_ = std::max(0.0, song_left_ - kTick);
-}
-
-void Firmware::store(const BodySenses& senses) {
-  oi::Sensors& s = sensors_;
-  const auto flag = [](bool set, int bit) { return (set ? 1 : 0) << bit; };
-  s.set(PacketId::BumpsAndWheelDrops, flag(senses.bump_right, 0) | flag(senses.bump_left, 1) |
-                                          flag(senses.wheel_drop_right, 2) | flag(senses.wheel_drop_left, 3));
-  s.set(PacketId::Wall, senses.wall);
-  for (int i = 0; i < kCliffSensorCount; ++i) {
-    const bool open = (senses.cliff_flags >> i & 1) != 0;
-    s.set(static_cast<PacketId>(number(PacketId::CliffLeft) + i), open);
-    s.set(static_cast<PacketId>(number(PacketId::CliffLeftSignal) + i), counts(open ? kNoFloorSignal : kFloorSignal));
-  }
-  s.set(PacketId::VirtualWall, senses.virtual_wall);
-  s.set(PacketId::WheelOvercurrents, flag(senses.wheel_blocked[1], 3) | flag(senses.wheel_blocked[0], 4));
-  s.set(PacketId::DirtDetect, senses.dirt);
-  const auto character = [&](std::uint8_t received) { return received == 0 ? oi::no_character(model_) : received; };
-  s.set(PacketId::InfraredCharacterOmni, character(senses.infrared_omni));
-  s.set(PacketId::InfraredCharacterLeft, character(senses.infrared_left));
-  s.set(PacketId::InfraredCharacterRight, character(senses.infrared_right));
-  store_travel(senses);
-  s.set(PacketId::ChargingState, senses.battery.charging ? 2 : 0);
-  s.set(PacketId::Voltage, wire(senses.battery.voltage * 1000.0));
-  s.set(PacketId::Current, wire(senses.battery.current * 1000.0));
-  s.set(PacketId::Temperature, wire(senses.battery.temperature));
-  s.set(PacketId::BatteryCharge, wire(senses.battery.charge * 1000.0));
-  s.set(PacketId::BatteryCapacity, wire(senses.battery.capacity * 1000.0));
-  s.set(PacketId::WallSignal, counts(senses.wall_signal));
-  s.set(PacketId::ChargingSourcesAvailable, senses.docked ? 2 : 0);
-  store_requests();
-  s.set(PacketId::LightBumper, senses.light_flags);
-  for (std::size_t i = 0; i < senses.light_signal.size(); ++i) {
-    s.set(static_cast<PacketId>(number(PacketId::LightBumpLeftSignal) + i), counts(senses.light_signal[i]));
-  }
-  s.set(PacketId::Stasis, senses.making_way);
-}
-
-void Firmware::store_requests() {
-  oi::Sensors& s = sensors_;
-  s.set(PacketId::OiMode, static_cast<int>(mode_) + (options_.quirks.mode_one_too_high ? 1 : 0));
-  s.set(PacketId::SongNumber, song_);
-  s.set(PacketId::SongPlaying, song_left_ > 0.0);
-  s.set(PacketId::NumberOfStreamPackets, static_cast<int>(stream_.size()));
-  s.set(PacketId::RequestedVelocity, velocity_);
-  s.set(PacketId::RequestedRadius, options_.quirks.requested_radius_wrong ? 0 : radius_);
-  s.set(PacketId::RequestedRightVelocity, right_velocity_);
-  s.set(PacketId::RequestedLeftVelocity, left_velocity_);
-}
-
-void Firmware::store_travel(const BodySenses& senses) {
-  double left = senses.left_rolled - left_before_;
-  double right = senses.right_rolled - right_before_;
-  left_before_ = senses.left_rolled;
-  right_before_ = senses.right_rolled;
-  if (options_.quirks.sign_from_command) {  // the wheels' encoders have one channel: they can't tell the direction
-    if (wanted_.left != 0.0) left = std::copysign(left, wanted_.left);
-    if (wanted_.right != 0.0) right = std::copysign(right, wanted_.right);
-  }
-  const DifferentialDrive& drive = spec_.model.drive;
-  left_counted_ += left / drive.metres_per_count();
-  right_counted_ += right / drive.metres_per_count();
-  // Capped where their bytes end.
-  const auto capped = [](double value) { return std::clamp(value, -32768.0, 32767.0); };
-  const double angle_unit =
-      model_ == oi::Model::Roomba400 ? 500.0 * drive.wheel_separation : degrees(1.0) * options_.quirks.angle_divisor;
-  distance_ = capped(distance_ + 500.0 * (left + right));
-  angle_ = capped(angle_ + (right - left) / drive.wheel_separation * angle_unit);
-
-  oi::Sensors& s = sensors_;
-  const auto reading = [](double counted) {
-    return static_cast<std::int16_t>(static_cast<std::uint16_t>(static_cast<std::int64_t>(std::floor(counted))));
-  };
-  const std::int16_t left_reading = reading(left_counted_);
-  const std::int16_t right_reading = reading(right_counted_);
-  s.set(PacketId::LeftEncoderCounts, options_.quirks.swapped_encoders ? right_reading : left_reading);
-  s.set(PacketId::RightEncoderCounts, options_.quirks.swapped_encoders ? left_reading : right_reading);
-  // Whole units are sent; what is left over stays for the next time.
-  s.set(PacketId::Distance, options_.quirks.distance_wrong ? 0 : static_cast<int>(distance_));
-  s.set(PacketId::Angle, static_cast<int>(angle_));
-}
-
-/// Distance and angle count from the last time that they were sent.
-void Firmware::forget_travel(oi::SensorId sent) {
-  const auto covers = [&](PacketId id) { return sent.run().first <= number(id) && number(id) <= sent.run().last; };
-  if (covers(PacketId::Distance)) {
-    distance_ -= sensors_[PacketId::Distance];
-    sensors_.set(PacketId::Distance, 0);  // whoever asks again within the tick
-  }
-  if (covers(PacketId::Angle)) {
-    angle_ -= sensors_[PacketId::Angle];
-    sensors_.set(PacketId::Angle, 0);
-  }
+  buttons_left_ = std::max(0.0, buttons_left_ - kTick);
 }
 
 }  // namespace scrubjay::sim

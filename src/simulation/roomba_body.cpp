@@ -7,18 +7,25 @@
 #include "light_sensing.hpp"
 
 namespace scrubjay::sim {
+namespace {
+
+constexpr auto kAllCliffs = static_cast<std::uint8_t>((1u << kCliffSensorCount) - 1u);
+
+}  // namespace
 
 struct RoombaBody::State {
   State(const World& w, const SegmentIndex& i, const RobotSpec& s, const NoiseProfile& n, const Random& random,
-        const SystematicErrors& errors, const Pose2& start)
+        const SystematicErrors& errors, const Pose2& start, const RobotFaults& f)
       : world(w),
         index(i),
         spec(s),
+        faults(f),
         light(s, n, errors, random.fork(kLight)),
         motion(w, i, s, n, errors, random, start, light.reach()) {
-    senses.battery = full_battery(spec.battery);
+    senses.battery = charged_battery(spec.battery, faults.battery);
   }
 
+  void suffer();
   void feel_motion();
   void feel_bumper();
   void feel_floor();
@@ -27,16 +34,23 @@ struct RoombaBody::State {
   const World& world;
   const SegmentIndex& index;
   RobotSpec spec;
+  RobotFaults faults;
+  Hindrance hindrance;
   LightSensing light;
   DiscMotion motion;
   BodySenses senses;
 };
 
 RoombaBody::RoombaBody(const World& world, const SegmentIndex& index, const RobotSpec& spec, const NoiseProfile& noise,
-                       const Random& random, const Pose2& start)
-    : state_(std::make_unique<State>(world, index, spec, noise, random, draw_errors(noise, index, random), start)) {}
+                       const Random& random, const Pose2& start, const RobotFaults& faults)
+    : state_(std::make_unique<State>(world, index, spec, noise, random, draw_errors(noise, index, random), start,
+                                     faults)) {}
 
 RoombaBody::~RoombaBody() = default;
+
+void RoombaBody::place(const Pose2& pose) {
+  state_->motion.place(pose);
+}
 
 const Truth& RoombaBody::truth() const {
   return state_->motion.truth();
@@ -44,7 +58,8 @@ const Truth& RoombaBody::truth() const {
 
 const BodySenses& RoombaBody::tick(const WheelSpeeds& wanted) {
   State& s = *state_;
-  s.motion.roll(wanted, kTick);
+  s.suffer();
+  s.motion.roll(wanted, kTick, s.hindrance);
   s.feel_bumper();
   s.motion.settle(s.senses.bump_left || s.senses.bump_right);
   s.feel_motion();
@@ -58,6 +73,17 @@ const BodySenses& RoombaBody::tick(const WheelSpeeds& wanted) {
   }
   use_battery(s.spec, s.motion.speeds(), s.senses.docked, kTick, s.senses.battery);
   return s.senses;
+}
+
+void RoombaBody::place_others(std::span<const Disc> others) {
+  state_->motion.place_others(others);
+}
+
+/// The faults of the tick that begins.
+void RoombaBody::State::suffer() {
+  const double time = static_cast<double>(motion.truth().ticks) * kTick;
+  hindrance.lifted = faults.lifted.contains(time);
+  for (std::size_t i = 0; i < 2; ++i) hindrance.wheel_stuck[i] = faults.stuck_wheel[i].contains(time);
 }
 
 void RoombaBody::State::feel_motion() {
@@ -86,8 +112,8 @@ void RoombaBody::State::feel_bumper() {
 
 void RoombaBody::State::feel_floor() {
   const Pose2& pose = motion.truth().pose;
-  senses.cliff_flags = 0;
-  if (!world.cliffs.empty()) {
+  senses.cliff_flags = hindrance.lifted ? kAllCliffs : std::uint8_t{0};
+  if (!hindrance.lifted && !world.cliffs.empty()) {
     for (std::size_t i = 0; i < spec.model.cliff_sensors.size(); ++i) {
       if (motion.surroundings().over_cliff(pose * spec.model.cliff_sensors[i])) {
         senses.cliff_flags |= static_cast<std::uint8_t>(1u << i);

@@ -5,8 +5,8 @@ namespace scrubjay::sim {
 
 SimulatedRoomba::SimulatedRoomba(const World& world, const SegmentIndex& index, const RobotSpec& spec,
                                  const NoiseProfile& noise, const Random& random, const Pose2& start,
-                                 const FirmwareOptions& options)
-    : body_(world, index, spec, noise, random, start), firmware_(spec, options) {}
+                                 const FirmwareOptions& options, const RobotFaults& faults)
+    : body_(world, index, spec, noise, random, start, faults), firmware_(spec, options) {}
 
 ByteRead SimulatedRoomba::read(std::span<std::uint8_t> buffer) {
   if (read_ == wire_.size()) {

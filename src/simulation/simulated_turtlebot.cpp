@@ -41,7 +41,7 @@ struct SimulatedTurtlebot::State {
         const Random& random, const Pose2& start, const TurtlebotOptions& options)
       : spec(s),
         motion(world, index, s, noise, draw_errors(noise, index, random), random, start, s.model.radius + kSight),
-        battery(full_battery(s.battery)) {
+        battery(charged_battery(s.battery, 1.0)) {
     if (s.model.lidar) {
       lidar.emplace(index, *s.model.lidar, noise, random.fork(kLidar), kTick, options.motion_distortion, start);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <scrubjay/geometry/elementary.hpp>
 
 namespace scrubjay::sim {
 namespace {
@@ -17,6 +18,19 @@ double distance_to_box(const Polygon& polygon, const Point2& p) {
   return (p - p.cwiseMax(low).cwiseMin(high)).norm();
 }
 
+NearSegment near_segment(const Segment2& segment, double albedo) {
+  const Point2 along = segment.b - segment.a;
+  const double length = along.norm();
+  const Point2 normal = length > 0.0 ? Point2(-along.y() / length, along.x() / length) : Point2(1.0, 0.0);
+  return {segment, normal, albedo, {0.0, 0.0}, 0.0};
+}
+
+/// Corners of a polygon around the unit circle.
+const Polygon kOutline = [] {
+  constexpr int kSides = 32;
+  return disc({0.0, 0.0}, 1.0 / sin_cos(0.5 * kPi - kPi / kSides).sin, kSides);
+}();
+
 }  // namespace
 
 Surroundings::Surroundings(const World& world, const SegmentIndex& index, std::vector<double> albedo, double reach)
@@ -24,6 +38,7 @@ Surroundings::Surroundings(const World& world, const SegmentIndex& index, std::v
 
 void Surroundings::move_to(const Point2& robot) {
   if (!fresh_ || (robot - center_).squaredNorm() > kMargin * kMargin) refresh(robot);
+  add_others(robot);
   double nearest = reach_ * reach_;
   for (NearSegment& near : near_) {
     near.nearest = nearest_point(near.segment, robot);
@@ -34,6 +49,26 @@ void Surroundings::move_to(const Point2& robot) {
   clearance_ = std::sqrt(nearest);
 }
 
+void Surroundings::place_others(std::span<const Disc> others, const Point2& robot) {
+  others_.assign(others.begin(), others.end());
+  move_to(robot);
+}
+
+void Surroundings::add_others(const Point2& robot) {
+  near_.resize(world_segments_);
+  for (const Disc& other : others_) {
+    const double far = reach_ + other.radius;
+    if ((other.center - robot).squaredNorm() > far * far) continue;
+    // Around the disc, not within: whoever touches it is felt to.
+    Point2 from = other.center + kOutline.back() * other.radius;
+    for (const Point2& corner : kOutline) {
+      const Point2 to = other.center + corner * other.radius;
+      near_.push_back(near_segment({from, to}, 1.0));
+      from = to;
+    }
+  }
+}
+
 void Surroundings::refresh(const Point2& robot) {
   fresh_ = true;
   center_ = robot;
@@ -42,11 +77,9 @@ void Surroundings::refresh(const Point2& robot) {
   near_.clear();
   for (const std::uint32_t id : found_) {
     const SolidSegment& solid = index_->segments()[id];
-    const Point2 along = solid.segment.b - solid.segment.a;
-    const double length = along.norm();
-    const Point2 normal = length > 0.0 ? Point2(-along.y() / length, along.x() / length) : Point2(1.0, 0.0);
-    near_.push_back({solid.segment, normal, albedo_[solid.piece], {0.0, 0.0}, 0.0});
+    near_.push_back(near_segment(solid.segment, albedo_[solid.piece]));
   }
+  world_segments_ = near_.size();
   near_cliffs_.clear();
   for (const Polygon& cliff : world_->cliffs) {
     if (distance_to_box(cliff, robot) <= radius) near_cliffs_.push_back(&cliff);

@@ -34,10 +34,11 @@ std::string read_to_the_end(int file) {
   const auto open_for = [](const std::optional<std::filesystem::path>& path, int otherwise) {
     return path ? ::open(path->c_str(), O_WRONLY | O_NOCTTY) : otherwise;
   };
-  const int nothing = ::open("/dev/null", O_RDONLY);
+  // A named pipe that is opened for both doesn't wait for somebody at the other end.
+  const int in_file = ::open(surroundings.in_from ? surroundings.in_from->c_str() : "/dev/null", O_RDWR | O_NOCTTY);
   const int out_file = open_for(surroundings.out_to, out);
   const int err_file = open_for(surroundings.err_to, err);
-  bool ready = ::dup2(nothing, STDIN_FILENO) >= 0 && ::dup2(out_file, STDOUT_FILENO) >= 0 &&
+  bool ready = ::dup2(in_file, STDIN_FILENO) >= 0 && ::dup2(out_file, STDOUT_FILENO) >= 0 &&
                ::dup2(err_file, STDERR_FILENO) >= 0 && ::chdir(surroundings.folder.c_str()) == 0;
   if (surroundings.largest_file) {
     const rlimit limit{*surroundings.largest_file, *surroundings.largest_file};

@@ -23,10 +23,11 @@ struct Outcome {
 
 /// Where and under what a call runs.
 struct Surroundings {
-  std::filesystem::path folder = ".";           ///< working folder
-  std::optional<std::size_t> largest_file;      ///< no file of the child's may grow beyond it [bytes]
-  std::optional<std::filesystem::path> err_to;  ///< a file or terminal for stderr, which is then not captured
-  std::optional<std::filesystem::path> out_to;  ///< the same for stdout
+  std::filesystem::path folder = ".";              ///< working folder
+  std::optional<std::size_t> largest_file;         ///< no file of the child's may grow beyond it [bytes]
+  std::optional<std::filesystem::path> err_to;     ///< a file or terminal for stderr, which is then not captured
+  std::optional<std::filesystem::path> out_to;     ///< the same for stdout
+  std::optional<std::filesystem::path> in_from{};  ///< a file or pipe for stdin, which is empty otherwise
 };
 
 /// A call that goes on while the test does. It is killed if nobody waits for it.

@@ -44,6 +44,7 @@ bool is_own(const std::string& room, const std::string& header, bool quoted) {
 struct Site {
   std::string room;
   bool is_public = false;
+  bool is_c = false;
 
   bool core() const { return house().contains(room) && is_core(house().at(room)); }
 };
@@ -71,6 +72,8 @@ std::string check_standard(const Site& site, const std::string& header) {
 /// What is wrong with including `header`; empty if nothing is.
 std::string check_include(const Site& site, const std::string& header, bool quoted) {
   if (header.find("..") != std::string::npos) return "\"" + header + "\" climbs out of its folder; want its full path";
+  if (site.is_c) return c_headers().contains(header) ? "" : "<" + header + "> is not for C firmware";
+  if (header == kCHeader) return site.room == kCHeaderRoom ? "" : "<" + header + "> is for firmware in C";
   if (root_headers().contains(header)) return site.core() ? "the core may not use the hosted <" + header + ">" : "";
   if (const std::string target = included_room(header); !target.empty()) return check_arrow(site, header, target);
   if (const ThirdParty* party = find_third_party(header)) return check_third_party(site, header, *party);
@@ -100,11 +103,11 @@ std::string room_of(std::string_view path) {
 
 Violations check_source(std::string_view path, std::string_view text) {
   Violations violations;
-  const Site site{room_of(path), path.starts_with(kPublicRoot)};
+  const Site site{room_of(path), path.starts_with(kPublicRoot), path.ends_with(".h")};
   if (!site.room.empty() && !house().contains(site.room)) {
     violations.push_back(std::string(path) + ": " + site.room + " is no room that there is");
   }
-  if (path.ends_with(".hpp")) {
+  if (path.ends_with(".hpp") || path.ends_with(".h")) {
     if (!has_line(text, "#pragma once")) violations.push_back(std::string(path) + ": no `#pragma once`");
     if (!has_line(text, "/// \\file")) violations.push_back(std::string(path) + ": no `/// \\file` that says its idea");
   }

@@ -106,6 +106,14 @@ TEST(IncludeCheckerTest, SeesAHostedHeaderInTheCore) {
   }
 }
 
+TEST(IncludeCheckerTest, KeepsTheHeaderForCToCAndToItsRoom) {
+  EXPECT_THAT(check_header("include/scrubjay/scrubjay_c.h", "#include <stddef.h>\n#include <stdint.h>\n"), IsEmpty());
+  EXPECT_THAT(check_header("include/scrubjay/scrubjay_c.h", "#include <cstdint>\n"), SizeIs(1));
+  EXPECT_THAT(check_header("include/scrubjay/scrubjay_c.h", "#include <scrubjay/robot/motion.hpp>\n"), SizeIs(1));
+  EXPECT_THAT(check_source("src/embedded/scrubjay_c.cpp", "#include <scrubjay/scrubjay_c.h>\n"), IsEmpty());
+  EXPECT_THAT(check_source("apps/main.cpp", "#include <scrubjay/scrubjay_c.h>\n"), SizeIs(1));
+}
+
 TEST(IncludeCheckerTest, SeesAHeaderWithoutItsForm) {
   EXPECT_THAT(check_source("include/scrubjay/oi/a.hpp", "/// \\file\n/// An idea.\n"), SizeIs(1));
   EXPECT_THAT(check_source("src/io/a.hpp", "#pragma once\n"), SizeIs(1));

@@ -41,6 +41,7 @@ inline const std::map<std::string, Room>& house() {
       {"grid", {0, {"geometry", "robot"}}},
       {"robot", {0, {"oi", "odometry", "geometry"}}},
       {"behavior", {0, {"robot", "grid", "geometry", "odometry"}}},
+      {"embedded", {0, {"behavior", "grid", "robot", "odometry", "oi", "geometry"}}},
       {"mapping", {1, core}},
       {"planning", {1, core}},
       {"localization", {1, with_core({"mapping"})}},
@@ -60,6 +61,16 @@ inline const std::map<std::string, Room>& house() {
 /// Headers in no room; every room above the core may use them, and they use no room.
 inline const std::set<std::string>& root_headers() {
   static const std::set<std::string> headers{"scrubjay/error.hpp", "scrubjay/nearest_word.hpp"};
+  return headers;
+}
+
+/// The core's face for C, a root header too: one room makes it, and nobody else needs it.
+inline constexpr const char* kCHeader = "scrubjay/scrubjay_c.h";
+inline constexpr const char* kCHeaderRoom = "embedded";
+
+/// Headers of C that it may include.
+inline const std::set<std::string>& c_headers() {
+  static const std::set<std::string> headers{"stddef.h", "stdint.h"};
   return headers;
 }
 
@@ -98,9 +109,10 @@ inline const std::set<std::string>& core_standard_headers() {
 /// Headers of the operating system: in sources above the core, where they touch files, ports and signals.
 inline const std::set<std::string>& system_headers() {
   static const std::set<std::string> headers{
-      "dirent.h",   "fcntl.h",        "poll.h",     "pty.h",         "pwd.h",          "sched.h",    "signal.h",
-      "spawn.h",    "termios.h",      "time.h",     "unistd.h",      "linux/serial.h", "sys/file.h", "sys/ioctl.h",
-      "sys/mman.h", "sys/resource.h", "sys/stat.h", "sys/statvfs.h", "sys/types.h",    "sys/wait.h",
+      "asm/termbits.h", "dirent.h",       "fcntl.h",     "grp.h",       "poll.h",       "pty.h",
+      "pwd.h",          "sched.h",        "signal.h",    "spawn.h",     "termios.h",    "time.h",
+      "unistd.h",       "linux/serial.h", "sys/file.h",  "sys/ioctl.h", "sys/mman.h",   "sys/resource.h",
+      "sys/stat.h",     "sys/statvfs.h",  "sys/types.h", "sys/wait.h",  "netinet/in.h", "sys/socket.h",
   };
   return headers;
 }

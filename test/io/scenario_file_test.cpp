@@ -38,6 +38,8 @@ TEST(ScenarioFileTest, ReadsWhatItWrites) {
     if (i % 4 == 0) scenario.forward_cone = random.uniform(0.01, kPi);
     if (i % 6 == 0) scenario.robot_radius = random.uniform(0.0, 1.0);
     if (i % 8 == 0) scenario.localizer = "odometry";
+    if (i % 9 == 0)
+      scenario.calibration = {random.uniform(0.5, 2.0), random.uniform(0.5, 2.0), random.uniform(0.5, 2.0)};
     EXPECT_EQ(parse_scenario(scenario_text(scenario), "run.yaml"), scenario) << scenario_text(scenario);
   }
 }
@@ -85,6 +87,8 @@ TEST(ScenarioFileTest, SaysWhichFieldIsWrong) {
   EXPECT_THAT(error_of("return_home: perhaps\n"), HasSubstr("return_home"));
   EXPECT_THAT(error_of("forward_cone: 4\n"), HasSubstr("an angle in radians, up to pi"));
   EXPECT_THAT(error_of("robot_radius: -1\n"), HasSubstr("a radius from 0 to 1 m"));
+  EXPECT_THAT(error_of("calibration: {left: 1, right: 3, axle: 1}\n"), HasSubstr("calibration.right is 3"));
+  EXPECT_THAT(error_of("calibration: {left: 1, right: 1}\n"), HasSubstr("calibration.axle is missing"));
   EXPECT_THAT(error_of("strategi: reactive\n"),
               AllOf(HasSubstr("run.yaml:1: there is no field 'strategi'"), HasSubstr("did you mean 'strategy'?")));
   EXPECT_THAT(error_of("world: [a]\n"), HasSubstr("world is a list of 1; want text"));

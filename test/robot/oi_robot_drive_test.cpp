@@ -86,7 +86,8 @@ TEST_F(OiRobotDriveTest, StopStandsAndLeavesARobotThatMayCharge) {
   robot.drive({0.2, 0.0});
   channel.take_written();
   robot.stop();
-  EXPECT_THAT(channel.written, ElementsAre(Bytes{137, 0, 0, 0x80, 0}, kStart));
+  const Bytes stand{137, 0, 0, 0x80, 0};
+  EXPECT_THAT(channel.written, ElementsAre(Bytes(256, 0), stand, kStart, stand, kStart));
 }
 
 TEST_F(OiRobotDriveTest, DrivesAgainAfterAStop) {

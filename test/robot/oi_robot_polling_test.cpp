@@ -113,7 +113,7 @@ TEST_F(OiRobotPollingTest, WaitsForSilenceWhenALateByteMayFollow) {
 
 TEST_F(OiRobotPollingTest, NoticesSilenceAndGoesOnAsking) {
   channel.give(0.0, reply(measured(0, 0)));
-  for (int i = 1; i <= 7; ++i) channel.give(i * 0.015, {});
+  for (int i = 1; i <= 6; ++i) channel.give(i * 0.015, {});
   robot.next();
   channel.take_written();
   EXPECT_FALSE(robot.next());

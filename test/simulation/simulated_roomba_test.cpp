@@ -127,6 +127,7 @@ TEST_P(GarbageTest, SurvivesAnyBytes) {
                                                    : kLively[random.below(static_cast<std::uint32_t>(kLively.size()))];
     unit.send({byte});
     if (i % 10 == 0) unit.read();
+    if (unit.roomba.firmware().asleep()) unit.roomba.pulse_brc();  // Power is among them, too
     const sim::WheelSpeeds wanted = unit.roomba.firmware().wanted();
     ASSERT_LE(std::fabs(wanted.left), 0.5);
     ASSERT_LE(std::fabs(wanted.right), 0.5);

@@ -49,11 +49,11 @@ void visit_disc(const GridGeometry& grid, const Point2& center, double radius, V
   const double cy = (center.y() - grid.origin.y()) / grid.resolution - 0.5;
   const double r = radius / grid.resolution;
   const int first_row = std::max(0, static_cast<int>(std::ceil(cy - r)));
-  const int last_row = std::min(grid.height - 1, static_cast<int>(std::floor(cy + r)));
+  const int last_row = std::min<int>(grid.height - 1, static_cast<int>(std::floor(cy + r)));
   for (int y = first_row; y <= last_row; ++y) {
     const double half = std::sqrt(std::max(0.0, r * r - (y - cy) * (y - cy)));
     const int first = std::max(0, static_cast<int>(std::ceil(cx - half)));
-    const int last = std::min(grid.width - 1, static_cast<int>(std::floor(cx + half)));
+    const int last = std::min<int>(grid.width - 1, static_cast<int>(std::floor(cx + half)));
     for (int x = first; x <= last; ++x) visit(CellIndex{x, y});
   }
 }

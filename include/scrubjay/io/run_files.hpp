@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <scrubjay/geometry/stamped_pose.hpp>
+#include <scrubjay/io/serial_robot.hpp>
 #include <scrubjay/mapping/occupancy_grid.hpp>
 #include <scrubjay/mission/mission.hpp>
 #include <scrubjay/mission/scenario.hpp>
@@ -47,6 +48,7 @@ struct RunResult {
   bool has_bumper = true;
   std::optional<RunTruth> truth;
   std::optional<LogReference> reference;  ///< of a log; such a run has no scenario
+  std::optional<LinkReport> link;         ///< of a robot on a wire
   double wall_time = 0.0;                 ///< by the clock [s]
   double cpu_time = 0.0;                  ///< [s]
 };

@@ -6,6 +6,7 @@
 #include <optional>
 #include <scrubjay/geometry/bounds.hpp>
 #include <scrubjay/geometry/pose2.hpp>
+#include <scrubjay/odometry/calibration.hpp>
 #include <string>
 
 namespace scrubjay {
@@ -17,14 +18,15 @@ struct Scenario {
   std::string localizer;             ///< "odometry" or "scan-matching"; empty: what suits the model best
   std::string noise = "none";        ///< a profile of noise.yaml
   std::uint64_t seed = 1;
-  std::optional<Pose2> start;          ///< in the world's frame; otherwise the world's own, or starting_pose()
-  double resolution = 0.05;            ///< of the map [m]
-  double max_time = 7200.0;            ///< simulated [s]
-  std::optional<Bounds2> within;       ///< floor to stay on, in the map's frame
-  bool return_home = false;            ///< drive back to the start once done
-  bool motion_distortion = false;      ///< a lidar's beams are measured one after another while it moves
-  std::optional<double> forward_cone;  ///< only beams this near to straight ahead are mapped [rad]
-  std::optional<double> robot_radius;  ///< floor this near to the robot is mapped as free, with a lidar [m]
+  std::optional<Pose2> start;              ///< in the world's frame; otherwise the world's own, or starting_pose()
+  std::optional<Calibration> calibration;  ///< of the robot's wheels; otherwise they are believed to be the model's
+  double resolution = 0.05;                ///< of the map [m]
+  double max_time = 7200.0;                ///< simulated [s]
+  std::optional<Bounds2> within;           ///< floor to stay on, in the map's frame
+  bool return_home = false;                ///< drive back to the start once done
+  bool motion_distortion = false;          ///< a lidar's beams are measured one after another while it moves
+  std::optional<double> forward_cone;      ///< only beams this near to straight ahead are mapped [rad]
+  std::optional<double> robot_radius;      ///< floor this near to the robot is mapped as free, with a lidar [m]
 
   bool operator==(const Scenario&) const = default;
 };

@@ -14,7 +14,7 @@ namespace scrubjay {
 class CommandEcho {
  public:
   /// The longest that an echo takes: both ways on a slow wire, a tick of the robot, a read [s].
-  static constexpr double kDelay = 0.075;
+  static constexpr double kDelay = 0.06;
 
   /// The robot was told these speeds [mm/s] at `stamp` [s].
   void tell(int left, int right, double stamp);

@@ -15,11 +15,18 @@ class SimulatedRoomba final : public ByteChannel {
  public:
   /// `world` and `index` must outlive it.
   SimulatedRoomba(const World& world, const SegmentIndex& index, const RobotSpec& spec, const NoiseProfile& noise,
-                  const Random& random, const Pose2& start, const FirmwareOptions& options = {});
+                  const Random& random, const Pose2& start, const FirmwareOptions& options = {},
+                  const RobotFaults& faults = {});
 
   ByteRead read(std::span<std::uint8_t> buffer) override;
   bool write(std::span<const std::uint8_t> bytes) override;
 
+  /// Somebody carries it to `pose`.
+  void place(const Pose2& pose) { body_.place(pose); }
+  /// Where other robots are now.
+  void place_others(std::span<const Disc> others) { body_.place_others(others); }
+  /// Its BRC pin is pulled low for a moment.
+  void pulse_brc() { firmware_.pulse_brc(); }
   const Truth& truth() const { return body_.truth(); }
   const Firmware& firmware() const { return firmware_; }
   /// Simulated time [s]: whole milliseconds divided once, so that it is the double that a recording gives back.

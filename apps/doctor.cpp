@@ -1,0 +1,127 @@
+/// \file
+/// `scrubjay doctor`: what is connected, and whether it is well.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <scrubjay/error.hpp>
+#include <scrubjay/io/examination.hpp>
+
+#include "commands.hpp"
+#include "doctor_hands.hpp"
+#include "doctor_report.hpp"
+#include "interrupt.hpp"
+#include "run_options.hpp"
+
+namespace scrubjay::apps {
+namespace {
+
+struct DoctorFlags {
+  std::optional<std::string> port;
+  std::optional<int> baud;
+  double listen = 3.0;
+  bool check = false;
+  bool yes = false;
+  bool no_reset = false;
+  bool json = false;
+};
+
+void say(const std::string& what) {
+  if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "{}\n", what);
+}
+
+std::filesystem::path choose_port(const DoctorFlags& flags) {
+  if (flags.port) return *flags.port;
+  const std::vector<std::filesystem::path> ports = serial_ports();
+  if (ports.empty()) throw Error("there is no serial port on USB; plug the robot's cable in, or name one with --port");
+  if (ports.size() > 1) {
+    std::string names;
+    for (const std::filesystem::path& port : ports) names += (names.empty() ? "" : ", ") + port.string();
+    throw Error(fmt::format("there are several ports: {}; name one with --port", names));
+  }
+  say(fmt::format("the only port is {}", ports.front().string()));
+  return ports.front();
+}
+
+/// Tries the rates that robots have until one answers, and wakes it in between. The rate that it was.
+int find_robot(SerialPort& port, Examination& examination, const DoctorFlags& flags, const std::stop_token& stop) {
+  // Create 2 and Roomba 600; older ones; any of them with its CLEAN button held down while the battery was put in.
+  std::vector<int> rates{115200, 57600, 19200};
+  if (flags.baud) rates = {*flags.baud};
+  std::optional<int> foreign;
+  for (const int rate : rates) {
+    say(fmt::format("listening at {} baud ...", rate));
+    port.set_baud(rate);
+    port.discard();
+    Contact contact = examination.find_robot();
+    if (contact == Contact::Silent && port.pulse_wake()) contact = examination.find_robot();
+    if (contact == Contact::Robot || stop.stop_requested()) return rate;
+    if (contact == Contact::Foreign && !foreign) foreign = rate;
+  }
+  if (foreign) {  // what said more than nothing is what there is to report
+    port.set_baud(*foreign);
+    examination.find_robot();
+  }
+  return foreign.value_or(rates.front());
+}
+
+void examine(Examination& examination, const DoctorFlags& flags) {
+  if (!flags.no_reset) {
+    say("starting the robot anew, to read the release of its firmware ...");
+    if (!examination.read_banner()) return;
+  }
+  say("measuring ...");
+  examination.time_replies();
+  examination.listen(flags.listen);
+}
+
+void doctor(const DoctorFlags& flags) {
+  if (!(flags.listen >= 0.5 && flags.listen <= 3600.0)) {
+    throw Error(fmt::format("--listen is {}; want 0.5 to 3600 seconds", flags.listen));
+  }
+  const Interrupt interrupt;
+  PortReport port_report;
+  port_report.address.path = choose_port(flags);
+  if (flags.baud) port_report.address.baud = *flags.baud;
+  SerialPort port(port_report.address);
+  port_report.driver = serial_driver(port_report.address.path);
+  port_report.low_latency = port.low_latency();
+
+  Examination examination(
+      port, [&port] { return port.now(); }, interrupt.token());
+  port_report.address.baud = find_robot(port, examination, flags, interrupt.token());
+  std::optional<HandCheck> hands;
+  if (examination.report().contact == Contact::Robot) {
+    examine(examination, flags);
+    const bool somebody = ::isatty(STDIN_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0 && !flags.json;
+    const bool well = examination.report().frames.frames > 0 && !examination.report().link_lost;
+    if (well && !flags.yes && (flags.check || somebody)) hands = check_by_hand(examination, interrupt.token());
+  }
+  if (interrupt.token().stop_requested())
+    throw Error("interrupted; nothing is known of the robot", Error::Kind::Failure);
+
+  const HandCheck* felt = hands ? &*hands : nullptr;
+  const std::vector<Finding> findings = diagnose(examination.report(), felt);
+  fmt::print("{}", (flags.json ? report_json : report_text)(port_report, examination.report(), felt, findings));
+  if (!healthy(findings)) throw Error("the robot isn't healthy", Error::Kind::Failure);
+}
+
+}  // namespace
+
+void add_doctor(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("doctor", "Examine the robot on a serial port; it never drives");
+  const auto flags = std::make_shared<DoctorFlags>();
+  command->add_option("--port", flags->port, "as /dev/ttyUSB0 (the only one there is)");
+  command->add_option("--baud", flags->baud, "rate of the line (115200, 57600 and 19200 in turn)");
+  command->add_option("--listen", flags->listen, "count frames for so long [s] (3)")->check(number);
+  command->add_flag("--check", flags->check, "check bumpers and wheels by hand, terminal or not");
+  command->add_flag("--yes", flags->yes, "ask nothing: no check by hand");
+  command->add_flag("--no-reset", flags->no_reset, "don't start the robot anew to read its firmware's release");
+  command->add_flag("--json", flags->json, "print the report as JSON");
+  command->callback([flags] { doctor(*flags); });
+}
+
+}  // namespace scrubjay::apps

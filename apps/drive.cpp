@@ -1,0 +1,159 @@
+/// \file
+/// `scrubjay drive`: a robot by keyboard.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <memory>
+#include <optional>
+#include <scrubjay/error.hpp>
+#include <scrubjay/io/key_drive.hpp>
+#include <scrubjay/mission/paced_robot.hpp>
+#include <scrubjay/robot/oi_robot.hpp>
+#include <scrubjay/simulation/simulated_roomba.hpp>
+#include <scrubjay/simulation/simulated_turtlebot.hpp>
+
+#include "commands.hpp"
+#include "data_folder.hpp"
+#include "drive_view.hpp"
+#include "interrupt.hpp"
+#include "live_run.hpp"
+#include "live_text.hpp"
+#include "random_streams.hpp"
+#include "robot_address.hpp"
+#include "run_options.hpp"
+#include "simulated_run.hpp"
+
+namespace scrubjay::apps {
+namespace {
+
+struct DriveFlags {
+  std::string robot = "sim";
+  Scenario scenario;  // of a simulated one
+  std::optional<std::string> model;
+  std::optional<std::string> start;
+  KeyDriveParams keys;
+};
+
+/// A robot to drive, and its model.
+class Driven {
+ public:
+  virtual ~Driven() = default;
+  virtual Robot& robot() = 0;
+  virtual const RobotModel& model() const = 0;
+};
+
+/// A simulated one, as fast as the clock.
+class DrivenSimulation final : public Driven {
+ public:
+  explicit DrivenSimulation(const Scenario& scenario) : stage_(set_stage(scenario)) {
+    const Random random = Random(scenario.seed).fork(kRobotStream);
+    const sim::RobotSpec& spec = stage_.robot;
+    if (spec.model.open_interface) {
+      roomba_.emplace(stage_.world, stage_.index, spec, stage_.noise, random, stage_.start);
+      paced_.emplace(oi_robot_.emplace(*roomba_, spec.model), 1.0);
+    } else {
+      paced_.emplace(turtlebot_.emplace(stage_.world, stage_.index, spec, stage_.noise, random, stage_.start), 1.0);
+    }
+  }
+  Robot& robot() override { return *paced_; }
+  const RobotModel& model() const override { return stage_.robot.model; }
+
+ private:
+  Stage stage_;
+  std::optional<sim::SimulatedTurtlebot> turtlebot_;
+  std::optional<sim::SimulatedRoomba> roomba_;
+  std::optional<OiRobot> oi_robot_;
+  std::optional<PacedRobot> paced_;
+};
+
+/// A real one.
+class DrivenRoomba final : public Driven {
+ public:
+  DrivenRoomba(const SerialAddress& address, const std::optional<std::string>& model, const std::stop_token& stop)
+      : live_(address, model, OiRobot::Session::Drive, stop, false), model_(live_.robot().model()) {}
+  Robot& robot() override { return live_.robot(); }
+  const RobotModel& model() const override { return model_; }
+
+ private:
+  LiveRobot live_;
+  RobotModel model_;
+};
+
+std::unique_ptr<Driven> make_driven(const DriveFlags& flags, const std::stop_token& stop) {
+  const RobotAddress address = parse_robot_address(flags.robot);
+  if (std::holds_alternative<InSimulation>(address)) {
+    if (flags.scenario.world.empty()) {
+      throw Error("want a WORLD to drive a simulated robot in, as worlds/room.yaml, or --robot serial:PORT");
+    }
+    return std::make_unique<DrivenSimulation>(flags.scenario);
+  }
+  const auto* port = std::get_if<SerialAddress>(&address);
+  if (port == nullptr) throw Error("a recording can't be driven; want --robot sim or serial:PORT");
+  if (!flags.scenario.world.empty()) throw Error("a real robot drives in no WORLD; leave it out, or --robot");
+  return std::make_unique<DrivenRoomba>(*port, flags.model, stop);
+}
+
+void expect_limits(const KeyDriveParams& keys, const RobotModel& model) {
+  if (!(keys.max_speed > 0.0 && keys.max_speed <= model.max_linear_speed)) {
+    throw Error(fmt::format("--max-speed is {}; want more than 0 and at most {} m/s, which this robot can do",
+                            keys.max_speed, model.max_linear_speed));
+  }
+  if (!(keys.max_turn > 0.0 && keys.max_turn <= model.max_angular_speed)) {
+    throw Error(fmt::format("--max-turn is {}; want more than 0 and at most {} rad/s, which this robot can do",
+                            keys.max_turn, model.max_angular_speed));
+  }
+}
+
+/// Drives until it is over; throws Error if that wasn't the driver's will.
+void drive_until_the_end(Driven& driven, const KeyDriveParams& params, const std::stop_token& stop) {
+  DriveDisplay display(driven.model());
+  KeyDriver driver(params);
+  DriveEnd end = DriveEnd::Quit;
+  {
+    Keyboard keyboard(STDIN_FILENO);
+    LiveText screen(STDOUT_FILENO);
+    end = drive_by_keys(
+        driven.robot(), driver, [&] { return keyboard.read(); },
+        [&](const Frame& frame, const Motion& motion, const KeyDriver& now) {
+          display.take(frame);
+          screen.show(display.lines(frame, motion, now));
+        },
+        stop);
+  }
+  if (end == DriveEnd::KeyboardGone) throw Error("the terminal went away; the robot was stopped", Error::Kind::Failure);
+  if (end == DriveEnd::RobotGone) throw Error("the robot fell silent", Error::Kind::Failure);
+  fmt::print("driven {:.2f} m; the robot stands\n", display.driven());
+}
+
+void drive(DriveFlags& flags) {
+  if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDOUT_FILENO) == 0) {
+    throw Error("driving takes a terminal: its keyboard and its screen, neither of them redirected");
+  }
+  if (flags.model) flags.scenario.model = *flags.model;
+  if (flags.start) flags.scenario.start = parse_pose(*flags.start, "--start");
+  const Interrupt interrupt;
+  const std::unique_ptr<Driven> driven = make_driven(flags, interrupt.token());
+  expect_limits(flags.keys, driven->model());
+  drive_until_the_end(*driven, flags.keys, interrupt.token());
+}
+
+}  // namespace
+
+void add_drive(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("drive", "Drive a robot by keyboard");
+  const auto flags = std::make_shared<DriveFlags>();
+  Scenario& scenario = flags->scenario;
+  command->add_option("WORLD", scenario.world, "to drive a simulated robot in");
+  command->add_option("--robot", flags->robot, "sim, or serial:PORT[@BAUD] (sim)");
+  command->add_option(
+      "--model", flags->model,
+      "roomba-600, create-2, create-1, turtlebot3-burger or\na URDF file (roomba-600, or what answers)");
+  command->add_option("--noise", scenario.noise, "simulated: none, hard-floor, carpet, uncalibrated (none)");
+  command->add_option("--seed", scenario.seed, "simulated: of its noise (1)")->check(whole_number);
+  command->add_option("--start", flags->start, "simulated: x,y,theta in the world [m, rad]");
+  command->add_option("--max-speed", flags->keys.max_speed, "full speed [m/s] (0.2)")->check(number);
+  command->add_option("--max-turn", flags->keys.max_turn, "full rate of turn [rad/s] (1)")->check(number);
+  command->callback([flags] { drive(*flags); });
+}
+
+}  // namespace scrubjay::apps

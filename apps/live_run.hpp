@@ -1,0 +1,39 @@
+/// \file
+/// A scenario with a real robot, and the mission that it drives.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <scrubjay/io/run_files.hpp>
+#include <scrubjay/io/serial_robot.hpp>
+#include <scrubjay/mission/scenario.hpp>
+#include <stop_token>
+
+namespace scrubjay::apps {
+
+/// Connects to the robot at `address`. `model` is the one that is expected; without it, the one that comes with the
+/// dialect that the robot speaks. Says on stderr what there is to say, unless `quiet`. Throws Error.
+class LiveRobot {
+ public:
+  LiveRobot(const SerialAddress& address, const std::optional<std::string>& model, OiRobot::Session session,
+            const std::stop_token& stop, bool quiet);
+
+  SerialRobot& robot() { return robot_; }
+  /// Name of the model, or its URDF file.
+  const std::string& model_name() const { return model_name_; }
+
+ private:
+  SerialRobot robot_;
+  std::string model_name_;
+};
+
+struct LiveOptions {
+  std::optional<std::filesystem::path> record;  ///< where to record the bytes
+  Observer* onlooker = nullptr;                 ///< somebody who looks on; may be nobody
+};
+
+/// Runs the scenario on the robot, which stands afterwards and may charge.
+RunResult run_live(const Scenario& scenario, SerialRobot& robot, const LiveOptions& options,
+                   const std::stop_token& stop);
+
+}  // namespace scrubjay::apps

@@ -1,0 +1,83 @@
+/// \file
+/// A Roomba on a serial port, with a link that may break and heal.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <scrubjay/io/recording.hpp>
+#include <scrubjay/io/serial_port.hpp>
+#include <scrubjay/robot/oi_robot.hpp>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace scrubjay {
+
+/// How the link fared.
+struct LinkReport {
+  std::uint64_t frames = 0;          ///< whole ones
+  std::uint64_t lost_frames = 0;     ///< by the time between those that came, that of silences too; or lost replies
+  std::uint64_t bad_bytes = 0;       ///< that belonged to no whole frame
+  std::uint64_t silences = 0;        ///< times that no frame came for OiRobot::kSilence
+  std::uint64_t reconnections = 0;   ///< ... and one came again
+  double longest_silence = 0.0;      ///< [s]
+  std::uint64_t watchdog_stops = 0;  ///< motions that weren't renewed in time
+
+  bool operator==(const LinkReport&) const = default;
+};
+
+struct SerialRobotParams {
+  double connect_timeout = 2.0;  ///< to find a robot, and its model [s]
+  double renewal = 0.2;          ///< a motion that isn't renewed within this is stopped [s]
+  double first_retry = 0.1;      ///< pause before the first attempt to reconnect [s]; doubles each time ...
+  double longest_retry = 2.0;    ///< ... up to this
+  double give_up = 60.0;         ///< without a frame for this long, the robot is gone [s]
+  /// One that listens takes no control, and leaves the robot as it is.
+  OiRobot::Session session = OiRobot::Session::Drive;
+  /// The body that goes with a dialect, where no model is expected; none: RobotModel's defaults.
+  std::function<RobotModel(oi::Model)> body = nullptr;
+};
+
+/// Finds the robot on a port: opens it, wakes the robot, tries the model's rate and dialect first, then those of the
+/// others. What it found is in model(), and said by remarks(). While a mission runs, next() heals the link by itself,
+/// and a thread of its own stops a motion that isn't renewed. Destroyed, it tells the robot to stop and leaves it in a
+/// mode that charges.
+///
+/// All calls from one thread.
+class SerialRobot final : public Robot {
+ public:
+  /// `model`: the one that is expected, or none. Throws Error within SerialRobotParams::connect_timeout: what is wrong,
+  /// and what to try.
+  SerialRobot(const SerialAddress& address, std::optional<RobotModel> model, std::stop_token stop,
+              const SerialRobotParams& params = {});
+  ~SerialRobot() override;
+
+  /// Blocks until a frame comes; the first call begins the session. None once the robot is gone for good, or somebody
+  /// asks to stop while it is silent.
+  std::optional<Frame> next() override;
+  /// For SerialRobotParams::renewal, unless it is told again.
+  void drive(const Motion& motion) override;
+  /// Tells the robot to stand until its frames say that it does, or for 1.5 s; then leaves it in Passive mode, without
+  /// a stream. next() begins a new session.
+  void stop() override;
+
+  /// Records all bytes from now on: to be told before the session begins, so that a replay sees all of it.
+  void record(std::unique_ptr<RecordingWriter> writer);
+  /// Closes the recording, if there is one. Throws Error if not all of it could be written.
+  void close_recording();
+
+  const RobotModel& model() const;
+  /// What a user should know of the connection, a sentence each; such as that another model was found.
+  const std::vector<std::string>& remarks() const;
+  LinkReport report() const;
+  /// All values as the robot gave them last.
+  const oi::Sensors& sensors() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace scrubjay

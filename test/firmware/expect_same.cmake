@@ -1,0 +1,11 @@
+# Runs COMMAND, keeps what it printed in PRINTED, and holds all but what only the image can tell against the file EXPECTED.
+execute_process(COMMAND ${COMMAND} OUTPUT_VARIABLE printed ERROR_VARIABLE printed RESULT_VARIABLE result TIMEOUT 280)
+file(WRITE ${PRINTED} "${printed}")
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "the image ended with ${result} and printed:\n${printed}")
+endif()
+file(READ ${EXPECTED} expected)
+string(REGEX REPLACE "(stack|work): [^\n]*\n" "" results "${printed}")
+if(NOT results STREQUAL expected)
+  message(FATAL_ERROR "the image printed:\n${results}\nwant what the host printed:\n${expected}")
+endif()

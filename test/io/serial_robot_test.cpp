@@ -1,0 +1,267 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <scrubjay/error.hpp>
+#include <scrubjay/io/serial_robot.hpp>
+
+#include "fake_robot.hpp"
+#include "temporary_folder.hpp"
+
+namespace scrubjay {
+namespace {
+
+using testing::HasSubstr;
+
+class SerialRobotTest : public testing::Test {
+ protected:
+  SerialAddress address(int baud = 115200) const { return {folder_ / "port", baud}; }
+  std::filesystem::path port() const { return folder_ / "port"; }
+
+  /// Drives on for so many frames; says how far the left wheel rolled by them.
+  static double drive(SerialRobot& robot, int frames, double speed = 0.2) {
+    double way = 0.0;
+    for (int i = 0; i < frames; ++i) {
+      const auto frame = robot.next();
+      if (!frame) break;
+      way += frame->left_travel;
+      robot.drive({speed, 0.0});
+    }
+    return way;
+  }
+
+  TemporaryFolder folder_;
+  std::stop_source stop_;
+  SerialRobotParams params_{.connect_timeout = 2.0,
+                            .renewal = 0.2,
+                            .first_retry = 0.02,
+                            .longest_retry = 0.1,
+                            .give_up = 60.0,
+                            .session = OiRobot::Session::Drive,
+                            .body = nullptr};
+};
+
+TEST_F(SerialRobotTest, FindsARobotAndDrivesIt) {
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  EXPECT_EQ(robot.model().protocol, oi::Model::Create2);
+  const double way = drive(robot, 30);
+  EXPECT_GT(way, 0.02);
+  EXPECT_GE(robot.report().frames, 30u);
+  EXPECT_EQ(fake.mode(), oi::OiMode::Safe);
+}
+
+TEST_F(SerialRobotTest, FindsTheDialectByItself) {
+  for (const oi::Model protocol : {oi::Model::Create1, oi::Model::Roomba400}) {
+    FakeRobot fake(port(), {.protocol = protocol});
+    params_.body = [](oi::Model found) {
+      RobotModel model;
+      model.radius = found == oi::Model::Roomba400 ? 0.4 : 0.1;
+      return model;
+    };
+    SerialRobot robot(address(), {}, stop_.get_token(), params_);
+    EXPECT_EQ(robot.model().protocol, protocol);
+    EXPECT_EQ(robot.model().radius, protocol == oi::Model::Roomba400 ? 0.4 : 0.1);
+    EXPECT_FALSE(robot.model().has_light_sensors);
+    EXPECT_TRUE(robot.next());
+  }
+}
+
+TEST_F(SerialRobotTest, SaysWhenAnotherRobotThanTheExpectedOneAnswers) {
+  FakeRobot fake(port(), {.protocol = oi::Model::Create1});
+  SerialRobot robot(address(), RobotModel{}, stop_.get_token(), params_);
+  EXPECT_EQ(robot.model().protocol, oi::Model::Create1);
+  EXPECT_THAT(robot.remarks(), testing::Contains("the robot speaks as a Create 1, not as a Create 2"));
+}
+
+TEST_F(SerialRobotTest, FindsTheRateByItself) {
+  FakeRobot fake(port(), {.rate = 57600});
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  EXPECT_THAT(robot.remarks(), testing::Contains("the robot answers at 57600 baud, not at 115200"));
+  EXPECT_TRUE(robot.next());
+}
+
+TEST_F(SerialRobotTest, NoticesARobotThatReportsItsModeOneTooHigh) {
+  FakeRobot fake(port(), {.firmware = {.quirks = {.mode_one_too_high = true, .sign_from_command = false}}});
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 10);
+  EXPECT_EQ(robot.next()->mode, oi::OiMode::Safe);
+  EXPECT_EQ(fake.mode(), oi::OiMode::Safe);
+}
+
+TEST_F(SerialRobotTest, SaysWhatToTryWhereNoRobotAnswers) {
+  FakeRobot fake(port());
+  fake.fall_silent();
+  const std::string message = message_of([&] { SerialRobot(address(), {}, stop_.get_token(), params_); });
+  EXPECT_THAT(message, HasSubstr("port: no robot answers at 115200, 57600 or 19200 baud"));
+  EXPECT_THAT(message, HasSubstr("press its Clean button"));
+}
+
+TEST_F(SerialRobotTest, ShowsTheFirstBytesOfSomethingThatIsNoRobot) {
+  FakeRobot fake(port(), {.chatter = "$GPGGA,1"});
+  const std::string message = message_of([&] { SerialRobot(address(), {}, stop_.get_token(), params_); });
+  EXPECT_THAT(message, HasSubstr("something answers, but no robot"));
+  EXPECT_THAT(message, HasSubstr("24 47 50 47 47 41 2C 31"));
+}
+
+TEST_F(SerialRobotTest, GivesUpLookingWhenAskedToStop) {
+  FakeRobot fake(port());
+  fake.fall_silent();
+  stop_.request_stop();
+  EXPECT_THAT(message_of([&] { SerialRobot(address(), {}, stop_.get_token(), params_); }), HasSubstr("stopped"));
+}
+
+TEST_F(SerialRobotTest, LeavesARobotThatStandsAndMayCharge) {
+  FakeRobot fake(port());
+  {
+    SerialRobot robot(address(), {}, stop_.get_token(), params_);
+    drive(robot, 10);
+    EXPECT_FALSE(fake.stands());
+  }
+  EXPECT_TRUE(fake.stands());
+  EXPECT_EQ(fake.mode(), oi::OiMode::Passive);
+  const std::uint64_t before = fake.frames_sent();
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_LE(fake.frames_sent(), before + 1);  // the stream has ended
+}
+
+TEST_F(SerialRobotTest, BeginsAnewAfterAStop) {
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 5);
+  robot.stop();
+  EXPECT_TRUE(fake.stands());
+  EXPECT_GT(drive(robot, 20), 0.0);
+  EXPECT_EQ(fake.mode(), oi::OiMode::Safe);
+}
+
+TEST_F(SerialRobotTest, StopsAMotionThatNobodyRenews) {
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 5);
+  ASSERT_TRUE(soon([&] { return !fake.stands(); }));
+  EXPECT_TRUE(soon([&] { return fake.stands(); }));
+  EXPECT_EQ(robot.report().watchdog_stops, 1u);
+  drive(robot, 5);  // whoever drives again moves it again
+  EXPECT_TRUE(soon([&] {
+    drive(robot, 1);
+    return !fake.stands();
+  }));
+}
+
+TEST_F(SerialRobotTest, LetsAMotionBeThatIsRenewed) {
+  params_.renewal = 1.0;  // for a loaded machine
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 120);
+  EXPECT_EQ(robot.report().watchdog_stops, 0u);
+}
+
+TEST_F(SerialRobotTest, GoesOnWithARobotThatWasSilentForAWhile) {
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  double way = drive(robot, 20);
+  fake.fall_silent();
+  std::jthread healer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    fake.speak_again();
+  });
+  way += drive(robot, 20);
+  const LinkReport report = robot.report();
+  EXPECT_GE(report.silences, 1u);
+  EXPECT_EQ(report.reconnections, report.silences);
+  EXPECT_GE(report.longest_silence, 0.3);
+  EXPECT_GE(report.lost_frames, 15u);
+  // It couldn't be told to stand; its encoders tell the way of the silence.
+  EXPECT_NEAR(way, fake.rolled(), 0.03);
+}
+
+TEST_F(SerialRobotTest, TellsASilentRobotToStand) {
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 20);
+  fake.go_away();
+  std::jthread healer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    fake.come_back();
+  });
+  ASSERT_TRUE(robot.next());  // with the device opened anew
+  EXPECT_TRUE(fake.stands());
+  EXPECT_GE(robot.report().reconnections, 1u);
+}
+
+TEST_F(SerialRobotTest, CountsNoJumpOfARobotThatWasStartedAnew) {
+  for (const std::uint16_t first : {std::uint16_t{0}, std::uint16_t{40000}}) {
+    FakeRobot fake(port(), {.firmware = {.quirks = {.sign_from_command = false}, .encoder_start = first}});
+    SerialRobot robot(address(), {}, stop_.get_token(), params_);
+    const double before = drive(robot, 60, 0.5);
+    EXPECT_GT(before, 0.2);
+    fake.go_away();
+    fake.start_anew();
+    std::jthread healer([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2300));
+      fake.come_back();
+    });
+    const auto frame = robot.next();
+    ASSERT_TRUE(frame);
+    EXPECT_NEAR(frame->left_travel, 0.0, 0.05);
+    EXPECT_GT(drive(robot, 20), 0.0);
+  }
+}
+
+TEST_F(SerialRobotTest, IsGoneWhenNoFrameComesForLong) {
+  params_.give_up = 0.3;
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 3);
+  fake.fall_silent();
+  while (robot.next()) {
+  }
+  EXPECT_EQ(robot.report().silences, robot.report().reconnections + 1);
+}
+
+TEST_F(SerialRobotTest, WaitsForNoSilentRobotWhenAskedToStop) {
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 3);
+  fake.fall_silent();
+  stop_.request_stop();
+  while (robot.next()) {
+  }
+  EXPECT_EQ(robot.report().silences, robot.report().reconnections + 1);
+}
+
+TEST_F(SerialRobotTest, OnlyListensWhereItIsToldTo) {
+  params_.session = OiRobot::Session::Listen;
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 10);
+  EXPECT_EQ(fake.mode(), oi::OiMode::Passive);
+  EXPECT_TRUE(fake.stands());
+}
+
+TEST_F(SerialRobotTest, RecordsASessionThatReplaysToTheSameFrames) {
+  FakeRobot fake(port());
+  std::vector<Frame> live;
+  {
+    SerialRobot robot(address(), {}, stop_.get_token(), params_);
+    robot.record(std::make_unique<RecordingWriter>(folder_ / "run.oilog", ""));
+    for (int i = 0; i < 30; ++i) {
+      live.push_back(robot.next().value());
+      robot.drive({0.2, 0.5});
+    }
+    robot.close_recording();
+  }
+  RecordingReader reader(folder_ / "run.oilog");
+  RecordedChannel channel(reader);
+  OiRobot replayed(channel, {});
+  for (const Frame& frame : live) {
+    const auto again = replayed.next();
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->stamp, frame.stamp);
+    EXPECT_EQ(again->left_travel, frame.left_travel);
+    replayed.drive({0.2, 0.5});
+  }
+}
+
+}  // namespace
+}  // namespace scrubjay
