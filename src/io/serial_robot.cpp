@@ -159,7 +159,7 @@ struct SerialRobot::State {
   Watchdog watchdog;  // the last member: its thread writes to the wire
 };
 
-SerialRobot::SerialRobot(const SerialAddress& address, std::optional<RobotModel> model, std::stop_token stop,
+SerialRobot::SerialRobot(const SerialAddress& address, const std::optional<RobotModel>& model, std::stop_token stop,
                          const SerialRobotParams& params)
     : state_(std::make_unique<State>(address, model, std::move(stop), params)) {}
 

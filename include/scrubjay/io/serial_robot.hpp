@@ -50,7 +50,7 @@ class SerialRobot final : public Robot {
  public:
   /// `model`: the one that is expected, or none. Throws Error within SerialRobotParams::connect_timeout: what is wrong,
   /// and what to try.
-  SerialRobot(const SerialAddress& address, std::optional<RobotModel> model, std::stop_token stop,
+  SerialRobot(const SerialAddress& address, const std::optional<RobotModel>& model, std::stop_token stop,
               const SerialRobotParams& params = {});
   ~SerialRobot() override;
 
