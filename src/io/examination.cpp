@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <scrubjay/io/examination.hpp>
+#include <scrubjay/oi/all_packets.hpp>
 #include <scrubjay/oi/sensor_views.hpp>
 #include <utility>
 
@@ -35,18 +36,6 @@ void append_printable(std::string& text, std::span<const std::uint8_t> bytes) {
 }
 
 }  // namespace
-
-oi::SensorId all_packets(oi::Model model) {
-  switch (model) {
-    case oi::Model::Create2:
-      return 100;
-    case oi::Model::Create1:
-      return 6;
-    case oi::Model::Roomba400:
-      break;
-  }
-  return 0;
-}
 
 Examination::Examination(ByteChannel& channel, Clock now, std::stop_token stop)
     : channel_(channel), now_(std::move(now)), stop_(std::move(stop)) {}
@@ -104,7 +93,7 @@ bool Examination::answers(oi::Model model) {
   constexpr int kAttempts = 12;
   for (int i = 0; i < kAttempts && going_on(); ++i) {
     const std::size_t before = heard_;
-    if (ask(all_packets(model), model)) return true;
+    if (ask(oi::all_packets(model), model)) return true;
     if (heard_ == before && i > 0) return false;
   }
   return false;
@@ -234,7 +223,7 @@ void Examination::end_listening(double stamp) {
 }
 
 void Examination::listen_to_stream(double seconds, const Look& look) {
-  const oi::SensorId id = all_packets(report_.model);
+  const oi::SensorId id = oi::all_packets(report_.model);
   const auto ids = oi::FixedList<oi::SensorId, 0, 255>::of({&id, 1});
   quieten();
   if (!ids || !send(oi::Stream{*ids})) return;
@@ -276,7 +265,7 @@ void Examination::listen_by_asking(double seconds, const Look& look) {
   double stamp = begin;
   while (going_on() && stamp - begin < seconds) {
     const double asked = now_();
-    const auto time = ask(all_packets(report_.model), report_.model);
+    const auto time = ask(oi::all_packets(report_.model), report_.model);
     stamp = now_();
     if (time) {
       take_frame(asked + *time, 0);

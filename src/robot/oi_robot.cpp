@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <scrubjay/oi/all_packets.hpp>
 #include <scrubjay/robot/oi_robot.hpp>
 
 namespace scrubjay {
@@ -18,20 +19,8 @@ constexpr int kUnknownSpeed = 1 << 16;   // no speed that could be wanted [mm/s]
 /// No commands, one by one; data enough for the longest list that a damaged command may have become.
 constexpr std::array<std::uint8_t, 256> kZeros{};
 
-oi::SensorId all_packets(oi::Model model) {
-  switch (model) {
-    case oi::Model::Create2:
-      return 100;
-    case oi::Model::Create1:
-      return 6;
-    case oi::Model::Roomba400:
-      return 0;
-  }
-  return 0;
-}
-
 std::uint8_t payload_size(oi::Model model) {
-  return static_cast<std::uint8_t>(all_packets(model).bytes() + 1);
+  return static_cast<std::uint8_t>(oi::all_packets(model).bytes() + 1);
 }
 
 int to_millimetres(double speed, double max_speed) {
@@ -82,7 +71,7 @@ void OiRobot::begin_session() {
     return;
   }
   if (!listens()) send(oi::Safe{});
-  const oi::SensorId id = all_packets(model_.protocol);
+  const oi::SensorId id = oi::all_packets(model_.protocol);
   if (const auto ids = oi::FixedList<oi::SensorId, 0, 255>::of({&id, 1})) send(oi::Stream{*ids});
 }
 
@@ -120,7 +109,7 @@ void OiRobot::tell(int left, int right) {
 
 void OiRobot::ask(double stamp) {
   asked_stamp_ = stamp;
-  const oi::Query query{all_packets(model_.protocol)};
+  const oi::Query query{oi::all_packets(model_.protocol)};
   if (reply_.expect(query)) send(query);
 }
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
+#include <io/our_worlds.hpp>
 #include <scrubjay/exploration/contact_frontier.hpp>
 #include <scrubjay/io/robot_file.hpp>
 #include <scrubjay/io/world_reader.hpp>
@@ -17,15 +17,6 @@ namespace scrubjay::test {
 namespace {
 
 const std::filesystem::path kTree = SCRUBJAY_SOURCE_DIR;
-
-std::vector<std::string> our_worlds() {
-  std::vector<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(kTree / "worlds")) {
-    if (file.path().extension() == ".yaml") names.push_back(file.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 class WheelDrops final : public Observer {
  public:

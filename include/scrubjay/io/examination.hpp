@@ -122,7 +122,4 @@ class Examination {
   double last_frame_ = 0.0;
 };
 
-/// The packets of a dialect, all in one.
-oi::SensorId all_packets(oi::Model model);
-
 }  // namespace scrubjay
