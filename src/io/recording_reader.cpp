@@ -57,10 +57,10 @@ RecordingReader::RecordingReader(std::vector<std::uint8_t> file, const std::stri
 }
 
 std::optional<RecordingReader::Record> RecordingReader::next_record() {
-  if (cut_) return std::nullopt;
+  if (cut_ || ended_) return std::nullopt;
   const auto whole = std::span<const std::uint8_t>(file_).subspan(position_);
-  if (whole.empty()) return std::nullopt;
   cut_ = true;  // until the record is seen to be whole
+  if (whole.empty()) return std::nullopt;
   auto rest = whole.subspan(1);
   const auto step = recording::take_varint(rest);
   const auto size = recording::take_varint(rest);
@@ -73,8 +73,11 @@ std::optional<RecordingReader::Record> RecordingReader::next_record() {
   checksum_ = checksum;
   last_stamp_ = *stamp;
   position_ += record.size() + kChecksumSize;
-  cut_ = false;
-  return Record{whole.front(), payload};
+  const std::uint8_t kind = whole.front();
+  ended_ = kind == recording::kEnd && payload.empty() && position_ == file_.size();
+  cut_ = kind == recording::kEnd && !ended_;
+  if (kind == recording::kEnd) return std::nullopt;
+  return Record{kind, payload};
 }
 
 std::optional<RecordedBytes> RecordingReader::next() {

@@ -131,6 +131,7 @@ void RecordingWriter::flush() {
 
 void RecordingWriter::close() {
   if (file_ >= 0) {
+    append(recording::kEnd, last_stamp_, {});
     hand_over();
     // What can't be synced (a pipe) needn't be: EINVAL says so.
     const bool synced = failed_ || ::fsync(file_) == 0 || errno == EINVAL;

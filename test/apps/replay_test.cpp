@@ -73,7 +73,7 @@ TEST_F(CutRecordingTest, IsReplayedUpToTheCutOrRefusedInOneLine) {
     const std::string out = "out" + std::to_string(length);
     folder_.write("cut.oilog", whole.substr(0, length));
     const Outcome outcome = replay("cut.oilog", out);
-    // A cut between two records can't be seen; nor is one behind all that the run needed looked for.
+    // A cut behind all that the run needed isn't looked for.
     if (outcome.code != 0 || !outcome.err.empty()) {
       EXPECT_TRUE(is_one_line(outcome.err)) << outcome.err;
       EXPECT_THAT(outcome.err, HasSubstr("cut"));

@@ -56,7 +56,7 @@ class RecordingWriter {
   void record(Direction direction, double stamp, std::span<const std::uint8_t> bytes);
   /// Hands everything to the system. Throws Error (Kind::Failure) once if anything failed since the beginning.
   void flush();
-  /// Flushes, and waits until it is on the disc. Nothing may be recorded afterwards. Throws Error as flush() does.
+  /// Marks the end, flushes, and waits until it is on the disc. Nothing may be recorded afterwards. Throws Error as flush() does.
   void close();
 
  private:
@@ -97,7 +97,8 @@ class RecordingReader {
   const std::string& scenario() const { return scenario_; }
   /// The next chunk; none at the end.
   std::optional<RecordedBytes> next();
-  /// Once next() gave none: whether bytes that make no whole, undamaged record were left. From there on all are lost.
+  /// Once next() gave none: whether the end that close() writes is missing, by a kill or a cut, or bytes were damaged.
+  /// What came after the cut or the damage is lost.
   bool cut() const { return cut_; }
 
  private:
@@ -110,6 +111,7 @@ class RecordingReader {
   std::vector<std::uint8_t> file_;
   std::size_t position_ = 0;
   bool cut_ = false;
+  bool ended_ = false;
   std::string scenario_;
   std::unique_ptr<ChunkHistory> history_ = std::make_unique<ChunkHistory>();
   std::int64_t last_stamp_ = 0;  ///< [ns]
