@@ -49,10 +49,12 @@ void ScanMatching::reckon(const Frame& frame) {
 }
 
 void ScanMatching::match(const Frame& frame) {
-  if (started_ && way_ < params_.min_travel && turn_ < params_.min_turn) return;
+  const bool stands = way_ < params_.min_travel && turn_ < params_.min_turn;
+  const bool begins = !started_ || filter_.pose() == Pose2{};
+  if (stands && !begins) return;
   take(frame);
   if (ends_.empty()) return;
-  if (lay_over_map() || !started_) way_ = turn_ = 0.0;
+  if (begins || lay_over_map()) way_ = turn_ = 0.0;
   started_ = true;
   remember();
 }

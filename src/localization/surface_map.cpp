@@ -1,11 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <scrubjay/localization/surface_map.hpp>
 
 namespace scrubjay {
 namespace {
 
-constexpr std::int32_t kReach = 2;     // of the neighbourhood that makes a line, either way [cells]
+constexpr std::int32_t kReach = 2;  // of the neighbourhood that makes a line, either way [cells]
+constexpr std::size_t kSide = 2 * kReach + 1;
 constexpr float kFirmWeight = 255.0F;  // a mean over more would never move again
 constexpr double kLineWeight = 100.0;  // what one cell may weigh in a line
 constexpr double kMaxRoundness = 0.4;  // of a line: variance across it to variance along it
@@ -16,14 +18,21 @@ constexpr double kRangeNoise = 0.1;    // of a mean, across a line; added to wha
 struct Moments {
   double weight = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
 
-  void add(double w, double px, double py) {
+  void add(double w, const Point2& p) {
     weight += w;
-    x += w * px;
-    y += w * py;
-    xx += w * px * px;
-    xy += w * px * py;
-    yy += w * py * py;
+    x += w * p.x();
+    y += w * p.y();
+    xx += w * p.x() * p.x();
+    xy += w * p.x() * p.y();
+    yy += w * p.y() * p.y();
   }
+};
+
+/// A cell's mean.
+struct Sighting {
+  Point2 point;  // [cells]
+  Point2 view;
+  double weight = 0.0;
 };
 
 /// The line of least squares through points given in cells around (0, 0).
@@ -64,23 +73,35 @@ void SurfaceMap::add(const Point2& p, const Point2& view, double noise, const Li
 }
 
 std::optional<SurfaceLine> SurfaceMap::line_at(CellIndex c, const Point2& view, const LikelihoodField& field) const {
-  if (field.at(c) == 0) return std::nullopt;
   const double per_metre = 1.0 / field.geometry().resolution;
   const CellIndex here = place(c, field.geometry());
-  Moments seen;
+  std::array<Sighting, kSide * kSide> sightings;
+  std::size_t count = 0;
   Moments told;  // by the map alone
   for (std::int32_t y = -kReach; y <= kReach; ++y) {
     for (std::int32_t x = -kReach; x <= kReach; ++x) {
       const Surface* surface = find({here.x + x, here.y + y});
       if (surface == nullptr || surface->weight == 0.0F) {
-        if (field.at({c.x + x, c.y + y}) == LikelihoodField::kBest) told.add(1.0, x, y);
-      } else if (surface->view_x * view.x() + surface->view_y * view.y() > 0.0) {
-        seen.add(std::min<double>(surface->weight, kLineWeight), x + per_metre * surface->x,
-                 y + per_metre * surface->y);
+        if (field.at({c.x + x, c.y + y}) == LikelihoodField::kBest) told.add(1.0, {x, y});
+      } else if (field.at({c.x + x, c.y + y}) > 0) {
+        sightings[count++] = {{x + per_metre * surface->x, y + per_metre * surface->y},
+                              {surface->view_x, surface->view_y},
+                              std::min<double>(surface->weight, kLineWeight)};
       }
     }
   }
-  std::optional<SurfaceLine> line = line_through(seen.weight > 0.0 ? seen : told);
+  const auto seen_from = [&](const Point2& side) {
+    Moments seen;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (sightings[i].view.dot(side) > 0.0) seen.add(sightings[i].weight, sightings[i].point);
+    }
+    return line_through(seen);
+  };
+  std::optional<SurfaceLine> line = count > 0 ? seen_from(view) : line_through(told);
+  if (line && count > 0) {
+    // Who looks along a wall may do so in nearly the same direction from either side of it: the line tells the sides.
+    line = seen_from(line->normal.dot(view) > 0.0 ? line->normal : Point2(-line->normal));
+  }
   if (line) line->variance *= field.geometry().resolution * field.geometry().resolution;
   if (line) line->point = field.geometry().center(c) + field.geometry().resolution * line->point;
   return line;

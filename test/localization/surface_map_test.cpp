@@ -66,6 +66,34 @@ TEST(SurfaceMapTest, KeepsTheFacesOfAThinWallApart) {
   EXPECT_NEAR(surfaces.line_at(between, kAbove, grounds.field)->distance({0.0, 0.08}), 0.0, 1e-6);
 }
 
+TEST(SurfaceMapTest, KeepsThemApartForWhoLooksAlongThem) {
+  SurfaceMap surfaces;
+  Grounds grounds(grid());
+  const Point2 from_below(0.9, -0.44), from_above(0.9, 0.44);  // less than a right angle apart
+  add_wall(surfaces, grounds, 0.01, from_below);
+  add_wall(surfaces, grounds, 0.08, from_above);
+  const CellIndex between = grounds.geometry.cell_at({0.0, 0.04});
+  EXPECT_NEAR(surfaces.line_at(between, from_below, grounds.field)->distance({0.0, 0.01}), 0.0, 1e-6);
+  EXPECT_NEAR(surfaces.line_at(between, from_above, grounds.field)->distance({0.0, 0.08}), 0.0, 1e-6);
+}
+
+TEST(SurfaceMapTest, HasALineForEndsInFrontOfItAsForThoseBehind) {
+  SurfaceMap surfaces;
+  Grounds grounds(grid());
+  for (double x = -1.0; x < 1.0; x += 0.05) grounds.occupy({x + 0.01, 0.025});
+  Random random(7);
+  for (int i = 0; i < 4000; ++i) {
+    const Point2 end(random.uniform(-1.0, 1.0), 0.025 + 0.05 * random.normal());
+    surfaces.add(end, kBelow, 0.05, grounds.field);
+  }
+  for (const double away : {-0.15, -0.1, -0.05, 0.0, 0.05, 0.1, 0.15}) {
+    const CellIndex c = grounds.geometry.cell_at({0.3, 0.025 + away});
+    const auto line = surfaces.line_at(c, kBelow, grounds.field);
+    ASSERT_TRUE(line) << away;
+    EXPECT_NEAR(std::fabs(line->normal.y()), 1.0, 0.02) << away;
+  }
+}
+
 TEST(SurfaceMapTest, SeesNoLineInAPoint) {
   SurfaceMap surfaces;
   Grounds grounds(grid());

@@ -20,10 +20,10 @@ struct OdometryBias {
 /// a hard floor err by less, but now and then they slip, and an edge of a map is never as straight as its wall.
 struct MotionNoise {
   // Random: the variance grows with the way or the turn.
-  double way_per_way = 0.02;         ///< of the position [m/sqrt(m)]
-  double way_per_turn = 0.001;       ///< of the position [m/sqrt(rad)]
-  double turn_per_way = radians(3);  ///< of the heading [rad/sqrt(m)]
-  double turn_per_turn = 0.1;        ///< of the heading [rad/sqrt(rad)]
+  double way_per_way = 0.02;           ///< of the position [m/sqrt(m)]
+  double way_per_turn = 0.001;         ///< of the position [m/sqrt(rad)]
+  double turn_per_way = radians(1.5);  ///< of the heading [rad/sqrt(m)]
+  double turn_per_turn = 0.03;         ///< of the heading [rad/sqrt(rad)]
   // Constant, or nearly so: floors differ, tyres wear.
   OdometryBias bias{.way = 0.03, .turn = 0.05, .bend = radians(4.0)};         ///< at the start
   OdometryBias bias_walk{.way = 0.001, .turn = 0.002, .bend = radians(0.1)};  ///< by which it changes, per sqrt(m)

@@ -25,7 +25,7 @@ struct ScanMatchingParams {
   int search_beams = 120;               ///< of a scan that the search looks at, about, evenly spread
   double beam_weight = 1.0;             ///< of the search: see CorrelativeSearch [nats]
   double end_noise = 0.005;             ///< of a beam's end, on top of the lidar's own: what the map blurs [m]
-  double min_support = 30.0;            ///< beams on surfaces that make a match ...
+  double min_support = 10.0;            ///< beams on surfaces that make a match ...
   double min_share = 0.3;               ///< ... if they are this share of those that end where the map knows anything
   double doubtful_share = 0.7;          ///< with a share below this, the wheels may have slipped: the whole window ...
   double slip_gain = 1.2;               ///< ... is searched, and must support the match this many times better
@@ -39,8 +39,8 @@ struct ScanMatchingParams {
 /// scan are weighed by what each of them knows: along a bare corridor, odometry has the say. The covariance is that of
 /// both together, in the map: how far the map itself has drifted since its beginning, no scan of it can tell.
 ///
-/// The first scan defines the map; scans with too little in common with it are let go by. While the robot stands,
-/// nothing is matched, so nothing drifts.
+/// The scans from before the robot first moves define the map; later ones with too little in common with it are let go
+/// by. While the robot stands, nothing is matched, so nothing drifts.
 class ScanMatching final : public Localizer {
  public:
   /// `mapper` must outlive it, and be updated after each frame with this localizer's pose. Throws Error for a robot

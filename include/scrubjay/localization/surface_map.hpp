@@ -33,8 +33,8 @@ class SurfaceMap {
   void add(const Point2& p, const Point2& view, double noise, const LikelihoodField& field);
 
   /// The line of least squares through the means around the field's cell `c`, as far as they were seen from the side of
-  /// `view`; none where they make no line. Where no beam was seen to end, as on a map that somebody else made, it runs
-  /// through the centres of the occupied cells.
+  /// the line that `view` looks from; none where they make no line. Where no beam was seen to end, as on a map that
+  /// somebody else made, it runs through the centres of the occupied cells.
   std::optional<SurfaceLine> line_at(CellIndex c, const Point2& view, const LikelihoodField& field) const;
 
  private:

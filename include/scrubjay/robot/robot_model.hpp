@@ -56,9 +56,9 @@ struct LidarModel {
   double near_accuracy = 0.015;           ///< largest error of a range below 0.5 m [m]
   double accuracy = 0.05;                 ///< the same from there on, as a share of the range
   /// How ranges err, for those who weigh them: standard deviation [m], and what it grows by with the range [m/m].
-  /// Gazebo's model of the robot has a flat 1 cm.
-  double noise = 0.01;
-  double noise_per_range = 0.0;
+  /// Three of them are the accuracy above.
+  double noise = 0.005;
+  double noise_per_range = 0.0167;
 };
 
 struct RobotModel {
