@@ -11,7 +11,7 @@ namespace scrubjay {
 
 struct ScanAlignmentParams {
   double outlier = 1.5;     ///< an end this far from its line counts half (Cauchy) [standard deviations]
-  double trust = 0.15;      ///< what a beam's word counts: beams that end on one surface share that surface's error
+  double trust = 0.3;       ///< what a beam's word counts: beams that end on one surface share that surface's error
   int max_iterations = 10;  ///< three or four do, but for scans that fit nowhere
 };
 
