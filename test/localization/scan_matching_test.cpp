@@ -71,6 +71,21 @@ TEST(ScanMatchingTest, TakesTheFirstScanAsTheMap) {
   EXPECT_EQ(estimate.covariance.norm(), 0.0);
 }
 
+TEST(ScanMatchingTest, LearnsMoreOfTheRoomWhileItHasNotMovedYet) {
+  const auto error_after = [](int scans) {
+    Random random(3);
+    double sum = 0.0;
+    for (int i = 0; i < 40; ++i) {
+      Stage stage(room_walls(), 0.03);
+      for (int scan = 0; scan < scans; ++scan) stage.drive.go({}, {});
+      const Pose2 truth{random.uniform(0.0, 0.1), random.uniform(-0.05, 0.05), random.uniform(-0.1, 0.1)};
+      sum += distance(stage.drive.go(truth, truth).pose, truth);
+    }
+    return sum;
+  };
+  EXPECT_LT(error_after(20), 0.4 * error_after(1));
+}
+
 TEST(ScanMatchingTest, FindsOutHowFarOdometryIsOff) {
   Random random(5);
   for (int i = 0; i < 40; ++i) {
