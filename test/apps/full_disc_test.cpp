@@ -19,9 +19,13 @@ Words explore(const std::filesystem::path& out, const std::string& seed, const W
   return words;
 }
 
-void expect_failure(const Outcome& outcome, const std::string& reason) {
+constexpr const char* kFigures = "time limit after 60 s: ";
+
+/// `told`: the beginning of what it prints all the same.
+void expect_failure(const Outcome& outcome, const std::string& reason, const std::string& told = "") {
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.out.empty(), told.empty());
+  EXPECT_THAT(outcome.out, testing::StartsWith(told));
   EXPECT_TRUE(is_one_line(outcome.err)) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr(reason));
 }
@@ -29,6 +33,13 @@ void expect_failure(const Outcome& outcome, const std::string& reason) {
 /// Files that may not grow: what a disc that is full does, without one.
 class LimitedFileTest : public testing::Test {
  protected:
+  void SetUp() override {
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+    GTEST_SKIP() << "the thread sanitizer itself writes a file";
+#endif
+#endif
+  }
   Outcome limited(const Words& words, std::size_t size) const {
     return scrubjay(words, {.folder = folder_.path(), .largest_file = size, .err_to = {}, .out_to = {}});
   }
@@ -40,13 +51,13 @@ TEST_F(LimitedFileTest, LeavesAnOlderRunAsItWas) {
   const Contents older = contents_of(folder_ / "out");
   for (const std::size_t size : {0U, 100U, 500U, 5000U, 20000U}) {
     SCOPED_TRACE(size);
-    expect_failure(limited(explore(folder_ / "out", "2"), size), "File too large");
+    expect_failure(limited(explore(folder_ / "out", "2"), size), "File too large", kFigures);
     EXPECT_TRUE(contents_of(folder_ / "out") == older);
   }
 }
 
 TEST_F(LimitedFileTest, LeavesNoResultsBehindWhereThereWereNone) {
-  expect_failure(limited(explore(folder_ / "out", "2"), 5000), "File too large");
+  expect_failure(limited(explore(folder_ / "out", "2"), 5000), "File too large", kFigures);
   EXPECT_TRUE(contents_of(folder_ / "out").empty());
 }
 
@@ -76,6 +87,24 @@ TEST_F(LimitedFileTest, LeavesAnOlderPictureAndTableAsTheyWere) {
                          20),
                  "table.csv");
   EXPECT_EQ(contents_of(folder_.path()), (Contents{{"map.png", "old picture"}, {"table.csv", "old table"}}));
+}
+
+TEST_F(LimitedFileTest, LosesNoFiguresOfACalibration) {
+  folder_.write("hall.yaml", "name: hall\nwalls:\n  - [[0, 0], [7, 0], [7, 7], [0, 7], [0, 0]]\nstart: [3, 3, 0.3]\n");
+  const Outcome outcome = limited({"calibrate", "hall.yaml", "--out", "wheels.yaml"}, 20);
+  expect_failure(outcome, "wheels.yaml: cannot write", "  spin ");
+  EXPECT_THAT(outcome.out, HasSubstr("axle"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "wheels.yaml"));
+}
+
+TEST(UnwritableResultTest, IsRefusedBeforeTheRun) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const Words& words) {
+    expect_failure(scrubjay_in(folder.path(), words), "no/such/file: cannot write into its folder");
+  };
+  refused({"explore", own_world("room"), "--max-time", "5", "--octomap", "no/such/file"});
+  refused({"emulate", own_world("room"), "--pty", "robot", "--max-time", "0.1", "--truth", "no/such/file"});
+  refused({"calibrate", own_world("room"), "--out", "no/such/file"});
 }
 
 TEST(FullOutputTest, IsAFailure) {
@@ -124,7 +153,7 @@ TEST_F(FullDiscTest, LeavesAnOlderRunAsItWasOrReplacesAllOfIt) {
       continue;
     }
     ++failed;
-    expect_failure(outcome, "No space left on device");
+    expect_failure(outcome, "No space left on device", kFigures);
     EXPECT_TRUE(contents_of(out) == older);
   }
   EXPECT_GE(failed, 4);

@@ -25,7 +25,7 @@ inline std::vector<std::uint8_t> packed(const std::string& text) {
   stream.next_out = out.data();
   stream.avail_out = static_cast<uInt>(out.size());
   deflate(&stream, Z_FINISH);
-  out.resize(out.size() - stream.avail_out);
+  out.resize(stream.total_out);
   deflateEnd(&stream);
   return out;
 }
