@@ -2,6 +2,7 @@
 /// `scrubjay calibrate`: finds a robot's wheel and axle factors from a few drives, and writes them down.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -52,29 +53,34 @@ void expect_figures(const CalibrationFigures& figures) {
 }
 
 void check(const CalibrateFlags& flags) {
-  if (!find_robot(flags.scenario.model).model.open_interface) {
-    throw Error(fmt::format("calibrate drives robots with an Open Interface, which {} hasn't", flags.scenario.model));
-  }
+  find_oi_robot(flags.scenario.model);
   if (!flags.date.empty() && !is_date(flags.date)) {
     throw Error(fmt::format("--date is '{}'; want a date as 2026-03-31", flags.date));
   }
+}
+
+/// To a multiple of `step`; what is next to nothing has no sign.
+double rounded(double value, double step) {
+  return std::round(value / step) * step + 0.0;
 }
 
 void print_drive(const CalibrationDrive& drive) {
   fmt::print("  {:<13}", to_string(drive.figure));
   if (drive.figure == CalibrationFigure::Spin) {
     return fmt::print("{:9.2f} deg {:>22} {:.2f} deg\n", degrees(drive.measured[0]),
-                      "left over:", degrees(drive.residual[0]));
+                      "left over:", rounded(degrees(drive.residual[0]), 0.01));
   }
   const auto millimetres = [](const std::vector<double>& lengths) {
     std::string text;
-    for (const double length : lengths) text += fmt::format("{}{:.0f}", text.empty() ? "" : ", ", 1000.0 * length);
+    for (const double length : lengths) {
+      text += fmt::format("{}{:.0f}", text.empty() ? "" : ", ", rounded(1000.0 * length, 1.0));
+    }
     return text;
   };
   fmt::print("{:>9} mm {:>23} {} mm\n", millimetres(drive.measured), "left over:", millimetres(drive.residual));
 }
 
-void print_summary(const CalibrationRecord& record, const CalibrateFlags& flags) {
+void print_figures(const CalibrationRecord& record, const CalibrateFlags& flags) {
   const Calibration& factors = record.calibration;
   const Calibration& deviation = *record.deviation;
   if (flags.output.json) {
@@ -94,7 +100,18 @@ void print_summary(const CalibrationRecord& record, const CalibrateFlags& flags)
   line("left wheel", factors.left, deviation.left);
   line("right wheel", factors.right, deviation.right);
   line("axle", factors.axle, deviation.axle);
-  fmt::print("calibration: {}\n", flags.out);
+}
+
+/// Prints what was found even if it can't be written: nobody measures twice gladly.
+void deliver(const CalibrationRecord& record, const CalibrateFlags& flags) {
+  try {
+    write_file_atomically(flags.out, calibration_text(record));
+  } catch (const Error&) {
+    print_figures(record, flags);
+    throw;
+  }
+  print_figures(record, flags);
+  if (!flags.output.json && !flags.output.quiet) fmt::print("calibration: {}\n", flags.out);
 }
 
 std::unique_ptr<CalibrationSite> simulated(const CalibrateFlags& flags) {
@@ -123,6 +140,20 @@ std::unique_ptr<CalibrationSite> make_site(const CalibrateFlags& flags, std::siz
   throw Error(fmt::format("--robot is {}; want sim, or serial:PORT: a recording drives nowhere", flags.robot));
 }
 
+/// Until it comes to its end, where somebody can clear the way.
+void drive(CalibrationSite& site, CalibrationSession& session, CalibrationFigure figure, const EndOfDrive& plan) {
+  while (true) {
+    site.prepare(figure, plan);
+    const Interrupt interrupt(site.stake());
+    try {
+      return site.drive(session, figure, interrupt.token());
+    } catch (const Error& error) {
+      if (!site.mistakes_are_human() || interrupt.token().stop_requested()) throw;
+      fmt::print(stderr, "{}\n", error.what());
+    }
+  }
+}
+
 /// Until it is plausible, where somebody can measure again.
 void measure(CalibrationSite& site, CalibrationSession& session, CalibrationFigure figure, const EndOfDrive& plan) {
   while (true) {
@@ -140,21 +171,17 @@ void calibrate(const CalibrateFlags& flags) {
   check(flags);
   expect_figures(flags.figures);
   const std::vector<CalibrationFigure> figures = figures_of(flags);
+  AtomicFiles().add(flags.out, "");  // nobody is to drive and measure in vain
   const std::unique_ptr<CalibrationSite> site = make_site(flags, figures.size());
   CalibrationSession session(site->model(), flags.figures);
   for (const CalibrationFigure figure : figures) {
     const EndOfDrive plan = session.plan(figure);
-    site->prepare(figure, plan);
-    {
-      const Interrupt interrupt;
-      site->drive(session, figure, interrupt.token());
-    }
+    drive(*site, session, figure, plan);
     measure(*site, session, figure, plan);
   }
   const CalibrationFit& fit = session.fit();
   const CalibrationRecord record{flags.scenario.model, fit.calibration, fit.deviation, flags.date, session.drives()};
-  write_file_atomically(flags.out, calibration_text(record));
-  print_summary(record, flags);
+  deliver(record, flags);
 }
 
 }  // namespace

@@ -11,10 +11,10 @@ namespace {
 
 constexpr const char* kSpin = R"(
                   tape
-             .-----|-----.       Put a strip of tape on the floor that points away
-           /       |       \     from the robot, and a mark on the robot's edge
-          |        o        |    where the tape begins. The robot turns to the
-           \               /     left, on the spot, {} time{}.
+             .-----|-----.       Put a strip of tape on the floor that points
+           /       |       \     away from the robot, and a mark on the robot's
+          |        o        |    edge where the tape begins. The robot turns to
+           \               /     the left, on the spot, {} time{}.
              '-----------'
 )";
 
@@ -101,6 +101,7 @@ CalibrationPrompt::CalibrationPrompt(std::istream& input, std::vector<std::strin
 std::string CalibrationPrompt::line() {
   std::string text;
   if (std::getline(input_, text)) return text;
+  fmt::print(stderr, "\n");  // the question ends without one
   throw Error("nobody answers; want somebody at a terminal, or all that was measured as --measured");
 }
 

@@ -8,7 +8,6 @@
 #include <scrubjay/simulation/simulated_roomba.hpp>
 
 #include "data_folder.hpp"
-#include "interrupt.hpp"
 #include "random_streams.hpp"
 #include "simulated_run.hpp"
 
@@ -48,9 +47,9 @@ class OwnedSite final : public CalibrationSite {
   OwnedSite(const SerialAddress& address, const std::string& model, CalibrationPrompt prompt)
       : address_(address), name_(model), model_(find_robot(model).model), prompt_(std::move(prompt)) {
     // What is wrong with the connection shows before the owner kneels down.
-    const Interrupt interrupt;
+    const Interrupt interrupt(Interrupt::Stake::RobotOnAWire);
     const auto robot = reach(interrupt.token());
-    for (const std::string& remark : robot->remarks()) fmt::print(stderr, "{}\n", remark);
+    for (const std::string& remark : robot->remarks()) fmt::print(stderr, "scrubjay: {}\n", remark);
   }
 
   const RobotModel& model() const override { return model_; }
@@ -62,6 +61,7 @@ class OwnedSite final : public CalibrationSite {
     return prompt_.ask(figure, plan, model_);
   }
   bool mistakes_are_human() const override { return prompt_.interactive(); }
+  Interrupt::Stake stake() const override { return Interrupt::Stake::RobotOnAWire; }
 
  private:
   std::unique_ptr<SerialRobot> reach(const std::stop_token& stop) const {

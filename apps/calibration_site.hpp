@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "calibration_prompt.hpp"
+#include "interrupt.hpp"
 
 namespace scrubjay::apps {
 
@@ -27,8 +28,10 @@ class CalibrationSite {
   virtual void drive(CalibrationSession& session, CalibrationFigure figure, const std::stop_token& stop) = 0;
   /// Where it ended.
   virtual EndOfDrive measure(CalibrationFigure figure, const EndOfDrive& plan) = 0;
-  /// Whether it may be measured again, if no wheels can have ended there.
+  /// Whether somebody is there to drive again what was blocked, and to measure again where no wheels can have ended.
   virtual bool mistakes_are_human() const { return false; }
+  /// What goes on, should the program end during a drive.
+  virtual Interrupt::Stake stake() const { return Interrupt::Stake::Nothing; }
 };
 
 /// A simulated robot, whose true pose is the ruler. What the scenario says of strategy and map has no meaning here.

@@ -55,6 +55,13 @@ sim::RobotSpec find_robot(const std::string& model) {
               "'? (known: " + known_robots() + ", or a file.urdf)");
 }
 
+sim::RobotSpec find_oi_robot(const std::string& model) {
+  sim::RobotSpec robot = find_robot(model);
+  if (robot.model.open_interface) return robot;
+  throw Error("--model is " + model +
+              ", which doesn't speak the Open Interface; want roomba-600, create-2, create-1 or roomba-400");
+}
+
 sim::NoiseProfile find_noise(const std::string& profile) {
   return read_noise(data_folder() / "urdf" / "noise.yaml", profile);
 }

@@ -16,6 +16,9 @@ std::filesystem::path data_folder();
 /// A robot by its name, or by the path of a URDF file. Throws Error that lists the known names for one that isn't.
 sim::RobotSpec find_robot(const std::string& model);
 
+/// The same where only one that speaks the Open Interface will do: one on a serial port. Throws Error.
+sim::RobotSpec find_oi_robot(const std::string& model);
+
 sim::NoiseProfile find_noise(const std::string& profile);
 
 }  // namespace scrubjay::apps

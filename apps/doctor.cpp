@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
-#include <charconv>
 #include <memory>
 #include <optional>
 #include <scrubjay/error.hpp>
@@ -14,6 +12,7 @@
 #include "doctor_hands.hpp"
 #include "doctor_report.hpp"
 #include "interrupt.hpp"
+#include "robot_address.hpp"
 #include "run_options.hpp"
 
 namespace scrubjay::apps {
@@ -21,7 +20,6 @@ namespace {
 
 struct DoctorFlags {
   std::optional<std::string> port;
-  std::optional<int> baud;
   double listen = 3.0;
   bool check = false;
   bool yes = false;
@@ -33,8 +31,8 @@ void say(const std::string& what) {
   if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "{}\n", what);
 }
 
-std::filesystem::path choose_port(const DoctorFlags& flags) {
-  if (flags.port) return *flags.port;
+SerialAddress choose_port(const DoctorFlags& flags) {
+  if (flags.port) return parse_port(*flags.port, "--port");
   const std::vector<std::filesystem::path> ports = serial_ports();
   if (ports.empty()) throw Error("there is no serial port on USB; plug the robot's cable in, or name one with --port");
   if (ports.size() > 1) {
@@ -43,14 +41,11 @@ std::filesystem::path choose_port(const DoctorFlags& flags) {
     throw Error(fmt::format("there are several ports: {}; name one with --port", names));
   }
   say(fmt::format("the only port is {}", ports.front().string()));
-  return ports.front();
+  return {ports.front()};
 }
 
-/// Tries the rates that robots have until one answers, and wakes it in between. The rate that it was.
-int find_robot(SerialPort& port, Examination& examination, const DoctorFlags& flags, const std::stop_token& stop) {
-  // Create 2 and Roomba 600; older ones; any of them with its CLEAN button held down while the battery was put in.
-  std::vector<int> rates{115200, 57600, 19200};
-  if (flags.baud) rates = {*flags.baud};
+/// Tries these rates until one answers, and wakes it in between. The rate that it was.
+int find_robot(SerialPort& port, Examination& examination, const std::vector<int>& rates, const std::stop_token& stop) {
   std::optional<int> foreign;
   for (const int rate : rates) {
     say(fmt::format("listening at {} baud ...", rate));
@@ -84,15 +79,14 @@ void doctor(const DoctorFlags& flags) {
   }
   const Interrupt interrupt;
   PortReport port_report;
-  port_report.address.path = choose_port(flags);
-  if (flags.baud) port_report.address.baud = *flags.baud;
+  port_report.address = choose_port(flags);
   SerialPort port(port_report.address);
   port_report.driver = serial_driver(port_report.address.path);
   port_report.low_latency = port.low_latency();
 
   Examination examination(
       port, [&port] { return port.now(); }, interrupt.token());
-  port_report.address.baud = find_robot(port, examination, flags, interrupt.token());
+  port_report.address.baud = find_robot(port, examination, rates_to_try(port_report.address), interrupt.token());
   std::optional<HandCheck> hands;
   if (examination.report().contact == Contact::Robot) {
     examine(examination, flags);
@@ -114,12 +108,11 @@ void doctor(const DoctorFlags& flags) {
 void add_doctor(CLI::App& app) {
   CLI::App* command = app.add_subcommand("doctor", "Examine the robot on a serial port; it never drives");
   const auto flags = std::make_shared<DoctorFlags>();
-  command->add_option("--port", flags->port, "as /dev/ttyUSB0 (the only one there is)");
-  command->add_option("--baud", flags->baud, "rate of the line (115200, 57600 and 19200 in turn)");
+  command->add_option("--port", flags->port, "PATH[@BAUD], as /dev/ttyUSB0 (the only one there is)");
   command->add_option("--listen", flags->listen, "count frames for so long [s] (3)")->check(number);
   command->add_flag("--check", flags->check, "check bumpers and wheels by hand, terminal or not");
   command->add_flag("--yes", flags->yes, "ask nothing: no check by hand");
-  command->add_flag("--no-reset", flags->no_reset, "don't start the robot anew to read its firmware's release");
+  command->add_flag("--no-reset", flags->no_reset, "don't restart the robot to read its release");
   command->add_flag("--json", flags->json, "print the report as JSON");
   command->callback([flags] { doctor(*flags); });
 }

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/key_drive.hpp>
 #include <scrubjay/mission/paced_robot.hpp>
+#include <scrubjay/robot/calibrated_robot.hpp>
 #include <scrubjay/robot/oi_robot.hpp>
 #include <scrubjay/simulation/simulated_roomba.hpp>
 #include <scrubjay/simulation/simulated_turtlebot.hpp>
@@ -31,6 +33,7 @@ struct DriveFlags {
   Scenario scenario;  // of a simulated one
   std::optional<std::string> model;
   std::optional<std::string> start;
+  std::optional<std::string> calibration_file;
   KeyDriveParams keys;
 };
 
@@ -40,12 +43,16 @@ class Driven {
   virtual ~Driven() = default;
   virtual Robot& robot() = 0;
   virtual const RobotModel& model() const = 0;
+  /// The name of the model, or its URDF file.
+  virtual const std::string& model_name() const = 0;
+  /// As SerialRobot does; one that is never silent never calls it.
+  virtual void while_silent(std::function<bool(double)>) {}
 };
 
 /// A simulated one, as fast as the clock.
 class DrivenSimulation final : public Driven {
  public:
-  explicit DrivenSimulation(const Scenario& scenario) : stage_(set_stage(scenario)) {
+  explicit DrivenSimulation(const Scenario& scenario) : stage_(set_stage(scenario)), model_name_(scenario.model) {
     const Random random = Random(scenario.seed).fork(kRobotStream);
     const sim::RobotSpec& spec = stage_.robot;
     if (spec.model.open_interface) {
@@ -57,9 +64,11 @@ class DrivenSimulation final : public Driven {
   }
   Robot& robot() override { return *paced_; }
   const RobotModel& model() const override { return stage_.robot.model; }
+  const std::string& model_name() const override { return model_name_; }
 
  private:
   Stage stage_;
+  std::string model_name_;
   std::optional<sim::SimulatedTurtlebot> turtlebot_;
   std::optional<sim::SimulatedRoomba> roomba_;
   std::optional<OiRobot> oi_robot_;
@@ -73,6 +82,8 @@ class DrivenRoomba final : public Driven {
       : live_(address, model, OiRobot::Session::Drive, stop, false), model_(live_.robot().model()) {}
   Robot& robot() override { return live_.robot(); }
   const RobotModel& model() const override { return model_; }
+  const std::string& model_name() const override { return live_.model_name(); }
+  void while_silent(std::function<bool(double)> go_on) override { live_.robot().while_silent(std::move(go_on)); }
 
  private:
   LiveRobot live_;
@@ -90,6 +101,7 @@ std::unique_ptr<Driven> make_driven(const DriveFlags& flags, const std::stop_tok
   const auto* port = std::get_if<SerialAddress>(&address);
   if (port == nullptr) throw Error("a recording can't be driven; want --robot sim or serial:PORT");
   if (!flags.scenario.world.empty()) throw Error("a real robot drives in no WORLD; leave it out, or --robot");
+  if (flags.model) find_oi_robot(*flags.model);
   return std::make_unique<DrivenRoomba>(*port, flags.model, stop);
 }
 
@@ -104,16 +116,22 @@ void expect_limits(const KeyDriveParams& keys, const RobotModel& model) {
   }
 }
 
-/// Drives until it is over; throws Error if that wasn't the driver's will.
-void drive_until_the_end(Driven& driven, const KeyDriveParams& params, const std::stop_token& stop) {
+/// Drives `robot`, which is the driven one as its calibration has it, until it is over; throws Error if that wasn't the
+/// driver's will.
+void drive_until_the_end(Driven& driven, Robot& robot, const KeyDriveParams& params, const std::stop_token& stop) {
   DriveDisplay display(driven.model());
   KeyDriver driver(params);
   DriveEnd end = DriveEnd::Quit;
   {
     Keyboard keyboard(STDIN_FILENO);
     LiveText screen(STDOUT_FILENO);
+    const auto keys = [&] { return keyboard.read(); };
+    driven.while_silent([&](double silence) {
+      screen.show(display.lines_of_silence(silence));
+      return heed_keys_in_silence(driver, keys);
+    });
     end = drive_by_keys(
-        driven.robot(), driver, [&] { return keyboard.read(); },
+        robot, driver, keys,
         [&](const Frame& frame, const Motion& motion, const KeyDriver& now) {
           display.take(frame);
           screen.show(display.lines(frame, motion, now));
@@ -131,10 +149,17 @@ void drive(DriveFlags& flags) {
   }
   if (flags.model) flags.scenario.model = *flags.model;
   if (flags.start) flags.scenario.start = parse_pose(*flags.start, "--start");
-  const Interrupt interrupt;
+  const bool on_a_wire = std::holds_alternative<SerialAddress>(parse_robot_address(flags.robot));
+  const Interrupt interrupt(on_a_wire ? Interrupt::Stake::RobotOnAWire : Interrupt::Stake::Nothing);
   const std::unique_ptr<Driven> driven = make_driven(flags, interrupt.token());
-  expect_limits(flags.keys, driven->model());
-  drive_until_the_end(*driven, flags.keys, interrupt.token());
+  const RobotModel& model = driven->model();
+  expect_limits(flags.keys, model);
+  std::optional<CalibratedRobot> calibrated;
+  if (flags.calibration_file) {
+    calibrated.emplace(driven->robot(), calibration_for(driven->model_name(), *flags.calibration_file), model.drive);
+  }
+  drive_until_the_end(*driven, calibrated ? static_cast<Robot&>(*calibrated) : driven->robot(), flags.keys,
+                      interrupt.token());
 }
 
 }  // namespace
@@ -147,10 +172,11 @@ void add_drive(CLI::App& app) {
   command->add_option("--robot", flags->robot, "sim, or serial:PORT[@BAUD] (sim)");
   command->add_option(
       "--model", flags->model,
-      "roomba-600, create-2, create-1, turtlebot3-burger or\na URDF file (roomba-600, or what answers)");
+      "roomba-600, create-2, create-1, roomba-400,\nturtlebot3-burger or a URDF file (roomba-600, or what\nanswers)");
   command->add_option("--noise", scenario.noise, "simulated: none, hard-floor, carpet, uncalibrated (none)");
   command->add_option("--seed", scenario.seed, "simulated: of its noise (1)")->check(whole_number);
   command->add_option("--start", flags->start, "simulated: x,y,theta in the world [m, rad]");
+  add_calibration_flag(*command, flags->calibration_file);
   command->add_option("--max-speed", flags->keys.max_speed, "full speed [m/s] (0.2)")->check(number);
   command->add_option("--max-turn", flags->keys.max_turn, "full rate of turn [rad/s] (1)")->check(number);
   command->callback([flags] { drive(*flags); });

@@ -12,6 +12,8 @@
 namespace scrubjay::apps {
 namespace {
 
+constexpr std::string_view kHelp = "w a s d or arrows drive, space stops, + - speed, q quits; let go and it stops";
+
 std::string_view mark(bool set, std::string_view name, std::string_view none) {
   return set ? name : none;
 }
@@ -95,7 +97,7 @@ void DriveDisplay::take(const Frame& frame) {
 
 std::vector<std::string> DriveDisplay::lines(const Frame& frame, const Motion& motion, const KeyDriver& driver) const {
   std::vector<std::string> lines;
-  lines.emplace_back("w a s d or arrows drive, space stops, + - speed, q quits; let go and it stops");
+  lines.emplace_back(kHelp);
   lines.push_back(fmt::format("{:+.2f} m/s  {:+.0f} deg/s  at {:.0f} % of full speed   {}", motion.linear,
                               degrees(motion.angular), 100.0 * driver.speed(), reason(driver.held())));
   if (model_.open_interface) {
@@ -110,6 +112,11 @@ std::vector<std::string> DriveDisplay::lines(const Frame& frame, const Motion& m
   lines.push_back(fmt::format("driven {:.2f} m, heading {:+.0f} degrees, {:.0f} frames a second", driven_,
                               degrees(wrap_angle(heading_)), rate));
   return lines;
+}
+
+std::vector<std::string> DriveDisplay::lines_of_silence(double silence) {
+  return {std::string(kHelp),
+          fmt::format("THE ROBOT IS SILENT for {:.0f} s: it is told to stand, and looked for", std::ceil(silence))};
 }
 
 }  // namespace scrubjay::apps

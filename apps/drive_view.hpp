@@ -18,6 +18,8 @@ class DriveDisplay {
   void take(const Frame& frame);
   /// Lines of 79 columns at most, without their ends.
   std::vector<std::string> lines(const Frame& frame, const Motion& motion, const KeyDriver& driver) const;
+  /// The same while no frame comes, for so long by now [s].
+  static std::vector<std::string> lines_of_silence(double silence);
   double driven() const { return driven_; }  ///< whichever way [m]
 
  private:

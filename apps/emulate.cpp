@@ -12,6 +12,7 @@
 
 #include "brc_pin.hpp"
 #include "commands.hpp"
+#include "data_folder.hpp"
 #include "emulation.hpp"
 #include "fault_flags.hpp"
 #include "interrupt.hpp"
@@ -61,14 +62,8 @@ Stage set_emulated_stage(const EmulateFlags& flags) {
   scenario.noise = flags.noise;
   scenario.seed = flags.seed;
   if (flags.start) scenario.start = parse_pose(*flags.start, "--start");
-  Stage stage = set_stage(scenario);
-  if (!stage.robot.model.open_interface) {
-    throw Error(
-        fmt::format("--model is {}, which doesn't speak the Open Interface; want roomba-600, create-2, create-1 "
-                    "or roomba-400",
-                    flags.model));
-  }
-  return stage;
+  find_oi_robot(flags.model);
+  return set_stage(scenario);
 }
 
 /// Where the robots are, as lines of JSON while they drive.
@@ -156,6 +151,7 @@ void emulate(const EmulateFlags& flags) {
   const EmulatedFaults faults = make_faults(flags.faults);
   const Stage stage = set_emulated_stage(flags);
   const auto count = static_cast<std::size_t>(flags.count);
+  if (flags.truth) AtomicFiles().add(*flags.truth, "");  // nobody is to drive in vain
   // Signals have their meaning before anybody can know that there is a robot.
   const Interrupt interrupt;
   BrcPin pin(count);
@@ -164,7 +160,12 @@ void emulate(const EmulateFlags& flags) {
   introduce(emulation, flags, live.port());
   const double gave_up = run(emulation, flags, live, pin, interrupt.token());
   const nlohmann::ordered_json account = account_of(emulation, flags, gave_up);
-  if (flags.truth) write_file_atomically(*flags.truth, account.dump(2) + "\n");
+  try {
+    if (flags.truth) write_file_atomically(*flags.truth, account.dump(2) + "\n");
+  } catch (const Error&) {
+    print_account(account, flags.output);  // nobody can drive this again
+    throw;
+  }
   print_account(account, flags.output);
 }
 
@@ -176,7 +177,7 @@ void add_emulate(CLI::App& app) {
   command->add_option("WORLD", flags->world, "world YAML, HouseExpo plan or nav2 map")->required();
   command
       ->add_option("--pty", flags->link,
-                   "link to make to the robot's serial port; LINK0, LINK1 ...\nif --count is more than 1")
+                   "link to make to the robot's serial port;\nLINK0, LINK1 ... if --count is more than 1")
       ->required();
   command->add_option("--model", flags->model,
                       "roomba-600, create-2, create-1, roomba-400\nor a URDF file (roomba-600)");
@@ -187,7 +188,7 @@ void add_emulate(CLI::App& app) {
   command->add_option("--speed", flags->speed, "times real time (1)")->check(number);
   command->add_option("--max-time", flags->max_time, "simulated seconds (until it is interrupted)")->check(number);
   command->add_option("--truth", flags->truth, "file for what really happened, as JSON, at the end");
-  command->add_option("--truth-log", flags->truth_log, "file for where the robots are, a line of JSON each 0.1 s");
+  command->add_option("--truth-log", flags->truth_log, "file for where the robots are, a line of JSON\neach 0.1 s");
   command->add_option("--truth-port", flags->truth_port, "the same at this TCP port of this machine; 0: any");
   add_fault_flags(*command, flags->faults);
   add_output_flags(*command, flags->output);

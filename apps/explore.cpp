@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <scrubjay/error.hpp>
-#include <scrubjay/io/octomap_file.hpp>
 #include <scrubjay/mission/estimation.hpp>
 #include <scrubjay/mission/strategies.hpp>
 
@@ -36,19 +35,15 @@ std::filesystem::path run_folder(const ExploreFlags& flags, const std::filesyste
   return flags.out ? std::filesystem::path(*flags.out) : std::filesystem::path("out") / named_after.stem();
 }
 
-/// Writes and prints what there is of a run.
-void tell(const RunResult& run, const std::filesystem::path& folder, const ExploreFlags& flags) {
-  write_run(folder, run);
-  if (flags.octomap.file) write_octomap(*flags.octomap.file, run.map, flags.octomap.height);
-  print_summary(run, folder, flags.output);
-}
-
 void expect_robot(const RunResult& run) {
   if (run.report.ended == Ended::RobotGone) throw Error("the robot fell silent", Error::Kind::Failure);
 }
 
 void explore_simulated(const ExploreFlags& flags) {
-  const Scenario scenario = make_scenario(flags.scenario);
+  Scenario scenario = make_scenario(flags.scenario);
+  // Of a robot that was on a wire; the simulated one is as its model is.
+  scenario.protocol.reset();
+  scenario.mode_one_too_high = false;
   expect_speed(flags.speed.value_or(0.0));
   const Stage stage = set_stage(scenario);
   // What can't be made is refused before anything is written.
@@ -59,7 +54,7 @@ void explore_simulated(const ExploreFlags& flags) {
   }
   const GroundTruth truth = truth_of(stage, scenario.resolution);
   const std::filesystem::path folder = run_folder(flags, scenario.world);
-  prepare_run_folder(folder);
+  prepare_results(folder, flags.octomap);
 
   const Interrupt interrupt;
   RunOptions options;
@@ -69,31 +64,35 @@ void explore_simulated(const ExploreFlags& flags) {
   if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(&truth);
   const RunResult run = run_simulated(scenario, stage, truth, options, interrupt.token());
   progress.reset();
-  tell(run, folder, flags);
+  deliver(run, folder, flags.octomap, flags.output);
   expect_robot(run);
 }
 
 void explore_live(const ExploreFlags& flags, const SerialAddress& address) {
   Scenario scenario = make_live_scenario(flags.scenario);
   if (flags.speed) throw Error("--speed is for a simulated robot; want none with a real one");
-  const RobotModel likely = find_robot(scenario.model).model;
+  const RobotModel likely = find_oi_robot(scenario.model).model;
   make_strategy(scenario.strategy, strategy_setting(scenario, likely));
   make_estimation(scenario, likely);
   const std::filesystem::path folder = run_folder(flags, address.path);
-  prepare_run_folder(folder);
+  prepare_results(folder, flags.octomap);
 
-  const Interrupt interrupt;
+  Interrupt interrupt(Interrupt::Stake::RobotOnAWire);
   const bool told = flags.scenario.model || flags.scenario.scenario_file;
   LiveRobot live(address, told ? std::optional(scenario.model) : std::nullopt, OiRobot::Session::Drive,
                  interrupt.token(), flags.output.quiet);
-  scenario.model = live.model_name();
+  live.enter(scenario);
+  const auto& calibration_file = flags.scenario.calibration_file;
+  if (calibration_file) scenario.calibration = calibration_for(scenario.model, *calibration_file);  // or refuse it
   LiveOptions options;
   if (flags.record) options.record = *flags.record;
   std::optional<Progress> progress;
   if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(nullptr);
   const RunResult run = run_live(scenario, live.robot(), options, interrupt.token());
+  interrupt.robot_stands();
   progress.reset();
-  tell(run, folder, flags);
+  deliver(run, folder, flags.octomap, flags.output);
+  live.robot().close_recording();
   expect_robot(run);
 }
 
@@ -104,9 +103,10 @@ void explore_recorded(const ExploreFlags& flags, const InRecording& recording) {
   Scenario scenario = opened.scenario;
   apply_flags(flags.scenario, scenario);
   const std::filesystem::path folder = run_folder(flags, recording.file);
-  prepare_run_folder(folder);
+  prepare_results(folder, flags.octomap);
   const Interrupt interrupt;
-  tell(run_recorded(opened, scenario, flags.speed.value_or(0.0), interrupt.token()), folder, flags);
+  const RunResult run = run_recorded(opened, scenario, flags.speed.value_or(0.0), interrupt.token());
+  deliver(run, folder, flags.octomap, flags.output);
 }
 
 void explore(const ExploreFlags& flags) {

@@ -79,7 +79,7 @@ void add_fault_flags(CLI::App& command, FaultFlags& flags) {
       ->check(number);
   command.add_option("--lifted", flags.lifted, "FROM[,UNTIL]: in somebody's hands [s]");
   command.add_option("--sticky-wheel", flags.sticky_wheels,
-                     "SIDE,FROM[,UNTIL]: its left or right wheel doesn't turn\n[s]; may be given for both");
+                     "SIDE,FROM[,UNTIL]: its left or right wheel\ndoesn't turn [s]; may be given for both");
 }
 
 EmulatedFaults make_faults(const FaultFlags& flags) {

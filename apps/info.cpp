@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <memory>
 #include <scrubjay/error.hpp>
+#include <scrubjay/io/calibration_file.hpp>
 #include <scrubjay/io/carmen_log.hpp>
 #include <scrubjay/io/file_kind.hpp>
 #include <scrubjay/io/image.hpp>
 #include <scrubjay/io/map_file.hpp>
+#include <scrubjay/io/octomap_file.hpp>
 #include <scrubjay/io/recording.hpp>
 #include <scrubjay/io/robot_file.hpp>
 #include <scrubjay/io/scenario_file.hpp>
@@ -33,8 +35,11 @@ std::string describe_recording(const std::filesystem::path& path) {
     any = true;
     last = chunk->stamp;
   }
-  return fmt::format("length: {:.3f} s\nreceived: {} bytes\nsent: {} bytes\nwhole: {}\n{}", last - first, received,
-                     sent, recording.cut() ? "no, cut or damaged at the end" : "yes", recording.scenario());
+  const auto& end = recording.mission_end();
+  return fmt::format("length: {:.3f} s\nreceived: {} bytes\nsent: {} bytes\nwhole: {}\n{}{}", last - first, received,
+                     sent, recording.cut() ? "no, cut or damaged at the end" : "yes",
+                     end ? fmt::format("ended: {}, after {} frames\n", end->why, end->frames) : "",
+                     recording.scenario());
 }
 
 std::string describe_world(const std::filesystem::path& path) {
@@ -103,6 +108,27 @@ std::string describe_carmen_log(const std::filesystem::path& path) {
       log.late);
 }
 
+std::string describe_octomap(const std::filesystem::path& path) {
+  const OctomapHead head = read_octomap_head(path);
+  return fmt::format("voxels: {} m\nnodes: {}\n", head.resolution, head.nodes);
+}
+
+std::string describe_calibration(const std::filesystem::path& path) {
+  const CalibrationRecord record = read_calibration(path);
+  std::string text = fmt::format("model: {}\n", record.model);
+  const auto add = [&](const char* name, double Calibration::*factor) {
+    text += fmt::format("{}: {:.4f}", name, record.calibration.*factor);
+    if (record.deviation) text += fmt::format(" +- {:.4f}", (*record.deviation).*factor);
+    text += '\n';
+  };
+  add("left wheel", &Calibration::left);
+  add("right wheel", &Calibration::right);
+  add("axle", &Calibration::axle);
+  text += fmt::format("drives: {}\n", record.drives.size());
+  if (!record.date.empty()) text += fmt::format("date: {}\n", record.date);
+  return text;
+}
+
 std::string describe(FileKind kind, const std::string& file) {
   switch (kind) {
     case FileKind::Recording:
@@ -124,12 +150,17 @@ std::string describe(FileKind kind, const std::string& file) {
       return describe_trajectory(file);
     case FileKind::CarmenLog:
       return describe_carmen_log(file);
+    case FileKind::Octomap:
+      return describe_octomap(file);
+    case FileKind::Calibration:
+      return describe_calibration(file);
     case FileKind::Unknown:
       break;
   }
-  throw Error(file +
-              ": is none of a world, map, plan, recording, CARMEN log, scenario, robot, trajectory or image; want one "
-              "of these");
+  throw Error(
+      file +
+      ": is none of a world, map, plan, recording, CARMEN log, scenario, robot, calibration, trajectory, OctoMap "
+      "tree or image; want one of these");
 }
 
 void info(const std::string& file) {

@@ -50,11 +50,22 @@ LiveRobot::LiveRobot(const SerialAddress& address, const std::optional<std::stri
   for (const std::string& remark : robot_.remarks()) fmt::print(stderr, "scrubjay: {}\n", remark);
 }
 
+void LiveRobot::enter(Scenario& scenario) const {
+  scenario.model = model_name_;
+  scenario.protocol = robot_.model().protocol;
+  scenario.mode_one_too_high = robot_.quirks().mode_one_too_high;
+}
+
 RunResult run_live(const Scenario& scenario, SerialRobot& robot, const LiveOptions& options,
                    const std::stop_token& stop) {
   const auto begin = std::chrono::steady_clock::now();
   const RobotModel& model = robot.model();
-  if (options.record) robot.record(std::make_unique<RecordingWriter>(*options.record, scenario_text(scenario)));
+  RecordingWriter* recording = nullptr;
+  if (options.record) {
+    auto writer = std::make_unique<RecordingWriter>(*options.record, scenario_text(scenario));
+    recording = writer.get();
+    robot.record(std::move(writer));
+  }
   std::optional<CalibratedRobot> calibrated;
   if (scenario.calibration) calibrated.emplace(robot, *scenario.calibration, model.drive);
   const Estimation estimation = make_estimation(scenario, model);
@@ -68,9 +79,8 @@ RunResult run_live(const Scenario& scenario, SerialRobot& robot, const LiveOptio
   RunResult run;
   run.scenario = scenario;
   run.report = mission.run(stop);
-  // Whoever asks to stop while the robot is silent gets no frame any more.
-  if (run.report.ended == Ended::RobotGone && stop.stop_requested()) run.report.ended = Ended::Stopped;
-  robot.close_recording();
+  // The session is over: nobody else writes to the recording now.
+  if (recording != nullptr) recording->record_end({run.report.frames, std::string(to_string(run.report.ended))});
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   run.map = estimation.mapper->occupancy();
   run.trajectory = track.points();

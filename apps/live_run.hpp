@@ -21,6 +21,8 @@ class LiveRobot {
   SerialRobot& robot() { return robot_; }
   /// Name of the model, or its URDF file.
   const std::string& model_name() const { return model_name_; }
+  /// Enters what answered into `scenario`, so that a replay hears the same: model, dialect and quirks.
+  void enter(Scenario& scenario) const;
 
  private:
   SerialRobot robot_;
@@ -32,7 +34,8 @@ struct LiveOptions {
   Observer* onlooker = nullptr;                 ///< somebody who looks on; may be nobody
 };
 
-/// Runs the scenario on the robot, which stands afterwards and may charge.
+/// Runs the scenario on the robot, which stands afterwards and may charge. The recording is left to be closed by
+/// SerialRobot::close_recording(), which may throw: nobody loses a map because its recording failed.
 RunResult run_live(const Scenario& scenario, SerialRobot& robot, const LiveOptions& options,
                    const std::stop_token& stop);
 

@@ -2,13 +2,16 @@
 /// `scrubjay record`: keeps what a robot senses, and drives nothing.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/scenario_file.hpp>
 
 #include "commands.hpp"
+#include "data_folder.hpp"
 #include "interrupt.hpp"
 #include "live_run.hpp"
+#include "recorded_run.hpp"
 #include "robot_address.hpp"
 #include "run_options.hpp"
 #include "summary.hpp"
@@ -20,6 +23,7 @@ struct RecordFlags {
   std::string robot;
   std::string out;
   std::optional<std::string> model;
+  std::optional<std::string> calibration_file;
   double max_time = 7200.0;  ///< [s]
   OutputFlags output;
 };
@@ -27,10 +31,13 @@ struct RecordFlags {
 void record(const RecordFlags& flags) {
   const SerialAddress address = parse_serial_robot(flags.robot);
   if (!(flags.max_time > 0.0)) throw Error(fmt::format("--max-time is {}; want a number above 0", flags.max_time));
+  if (flags.model) find_oi_robot(*flags.model);
   const Interrupt interrupt;
   LiveRobot live(address, flags.model, OiRobot::Session::Listen, interrupt.token(), flags.output.quiet);
   Scenario scenario;  // without a strategy: nobody of ours drives
-  scenario.model = live.model_name();
+  live.enter(scenario);
+  scenario.max_time = std::clamp(flags.max_time, scenario.max_time, kLongestReplay);
+  if (flags.calibration_file) scenario.calibration = calibration_for(scenario.model, *flags.calibration_file);
   SerialRobot& robot = live.robot();
   robot.record(std::make_unique<RecordingWriter>(flags.out, scenario_text(scenario)));
   std::optional<double> first;
@@ -58,6 +65,7 @@ void add_record(CLI::App& app) {
   command->add_option("--robot", flags->robot, "serial:PATH[@BAUD]")->required();
   command->add_option("--out", flags->out, "the recording, an .oilog")->required();
   command->add_option("--model", flags->model, "the one that is expected (what answers)");
+  add_calibration_flag(*command, flags->calibration_file);
   command->add_option("--max-time", flags->max_time, "seconds (7200)")->check(number);
   command->add_flag("--quiet", flags->output.quiet, "print no summary");
   command->callback([flags] { record(*flags); });

@@ -21,14 +21,20 @@
 namespace scrubjay::apps {
 namespace {
 
-/// Our own robot again; where it was silent, the recording goes on.
+/// Our own robot again, up to where its mission ended; where it was silent, the recording goes on.
 class ReplayedRobot final : public Robot {
  public:
-  ReplayedRobot(RecordingReader& reader, const RobotModel& model) : channel_(reader), robot_(channel_, model) {}
+  /// `stopped` is told where somebody asked the mission to stop.
+  ReplayedRobot(Recording& recording, const RobotModel& model, const oi::FirmwareQuirks& quirks,
+                std::stop_source& stopped)
+      : end_(recording.end), stopped_(stopped), channel_(recording.reader), robot_(channel_, model, quirks) {}
 
   std::optional<Frame> next() override {
+    if (end_ && frames_ == end_->frames) return std::nullopt;
     while (true) {
-      std::optional<Frame> frame = robot_.next();
+      const std::optional<Frame> frame = robot_.next();
+      if (frame) ++frames_;
+      if (frame && end_ && frames_ == end_->frames && end_->why == to_string(Ended::Stopped)) stopped_.request_stop();
       if (frame || robot_.link() == LinkState::Closed) return frame;
     }
   }
@@ -36,9 +42,67 @@ class ReplayedRobot final : public Robot {
   void stop() override { robot_.stop(); }
 
  private:
+  std::optional<RecordedEnd> end_;
+  std::stop_source& stopped_;
+  std::uint64_t frames_ = 0;
   RecordedChannel channel_;
   OiRobot robot_;
 };
+
+/// The model, as it spoke.
+RobotModel model_of(const Scenario& scenario) {
+  RobotModel model = find_robot(scenario.model).model;
+  if (scenario.protocol) {
+    model.protocol = *scenario.protocol;
+    model.has_light_sensors = model.has_light_sensors && model.protocol == oi::Model::Create2;  // as SerialRobot has it
+  }
+  return model;
+}
+
+std::unique_ptr<Robot> robot_of(Recording& recording, const Scenario& scenario, const RobotModel& model,
+                                std::stop_source& stopped) {
+  oi::FirmwareQuirks quirks;
+  quirks.mode_one_too_high = scenario.mode_one_too_high;
+  if (recording.is_ours) return std::make_unique<ReplayedRobot>(recording, model, quirks, stopped);
+  return std::make_unique<RecordedRobot>(recording.reader, model, quirks);
+}
+
+std::optional<RecordedEnd> end_of(const std::filesystem::path& file) {
+  RecordingReader reader(file);
+  while (reader.next()) {
+  }
+  return reader.mission_end();
+}
+
+/// The world that the robot was in. A real one isn't in any file.
+struct KnownWorld {
+  Stage stage;
+  GroundTruth truth;
+};
+
+std::optional<KnownWorld> find_world(const Recording& recording, const Scenario& scenario) {
+  if (scenario.world.empty()) return std::nullopt;
+  try {
+    Stage stage = set_stage(scenario);
+    GroundTruth truth = truth_of(stage, scenario.resolution);
+    return KnownWorld{std::move(stage), std::move(truth)};
+  } catch (const Error& error) {
+    fmt::print(stderr, "scrubjay: {}: replayed without scores: {}\n", recording.name, error.what());
+    return std::nullopt;
+  }
+}
+
+void expect_frames(const Recording& recording, const Scenario& scenario, const Report& report) {
+  if (report.frames > 0) return;
+  const std::string why = recording.reader.cut() ? "cut before its first whole frame"
+                                                 : fmt::format("holds no whole frame of a {}", scenario.model);
+  throw Error(fmt::format("{}: {}; nothing can be replayed", recording.name, why), Error::Kind::Failure);
+}
+
+/// A mission that ended for want of frames, unless the robot was gone when it was driven.
+bool goes_on_unrecorded(const Recording& recording, const Report& report) {
+  return report.ended == Ended::RobotGone && !(recording.end && recording.end->why == to_string(Ended::RobotGone));
+}
 
 }  // namespace
 
@@ -49,18 +113,15 @@ Recording open_recording(const std::filesystem::path& file) {
   }
   Scenario scenario = parse_scenario(reader.scenario(), file.string() + " (scenario)");
   const bool is_ours = !scenario.strategy.empty();
-  return {std::move(reader), std::move(scenario), is_ours};
+  return {file.string(), std::move(reader), std::move(scenario), end_of(file), is_ours};
 }
 
 RunResult run_recorded(Recording& recording, const Scenario& scenario, double speed, const std::stop_token& stop) {
   const auto begin = std::chrono::steady_clock::now();
-  const RobotModel model = find_robot(scenario.model).model;
-  std::unique_ptr<Robot> robot;
-  if (recording.is_ours) {
-    robot = std::make_unique<ReplayedRobot>(recording.reader, model);
-  } else {
-    robot = std::make_unique<RecordedRobot>(recording.reader, model);
-  }
+  std::stop_source stopped;
+  const std::stop_callback pass_on(stop, [&stopped] { stopped.request_stop(); });
+  const RobotModel model = model_of(scenario);
+  const std::unique_ptr<Robot> robot = robot_of(recording, scenario, model, stopped);
   Robot* source = robot.get();
   std::optional<CalibratedRobot> calibrated;
   if (scenario.calibration) source = &calibrated.emplace(*source, *scenario.calibration, model.drive);
@@ -76,12 +137,20 @@ RunResult run_recorded(Recording& recording, const Scenario& scenario, double sp
 
   RunResult run;
   run.scenario = scenario;
-  run.report = mission.run(stop);
+  run.report = mission.run(stopped.get_token());
+  expect_frames(recording, scenario, run.report);
+  if (goes_on_unrecorded(recording, run.report)) run.report.ended = Ended::EndOfRecording;
+  if (recording.reader.cut()) {
+    fmt::print(stderr, "scrubjay: {}: cut or damaged after {:.1f} s; replayed up to there\n", recording.name,
+               run.report.time);
+  }
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   run.map = estimation.mapper->occupancy();
   run.trajectory = track.points();
   run.bumps = track.bumps();
   run.robot_radius = model.radius;
+  const std::optional<KnownWorld> known = find_world(recording, scenario);
+  if (known) run.truth = compare_with_truth(known->stage, known->truth, run.map.view(), run.trajectory);
   return run;
 }
 

@@ -3,16 +3,23 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <scrubjay/io/recording.hpp>
 #include <scrubjay/io/run_files.hpp>
 #include <scrubjay/mission/scenario.hpp>
 #include <stop_token>
+#include <string>
 
 namespace scrubjay::apps {
 
+/// The longest that a scenario's max_time may be [s]: of a recording that is replayed to its end, however long.
+inline constexpr double kLongestReplay = 1e7;
+
 struct Recording {
+  std::string name;  ///< of its file
   RecordingReader reader;
-  Scenario scenario;    ///< with no strategy if somebody else drove
+  Scenario scenario;               ///< with no strategy if somebody else drove
+  std::optional<RecordedEnd> end;  ///< of the mission that it is of
   bool is_ours = true;  ///< one of our strategies drove; otherwise what a client asked for tells what the bytes mean
 };
 
@@ -22,6 +29,9 @@ Recording open_recording(const std::filesystem::path& file);
 /// Decides anew from the same frames, with `scenario` in place of the recording's; the robot of a recording goes where
 /// it went. Without a strategy nobody decides anything, and only the map is made. `speed`: times real time; 0 is as
 /// fast as possible.
+///
+/// Scored if the scenario's world can be read. Says on stderr if not, and if the recording was cut. Throws Error
+/// (Kind::Failure) if it holds not a single frame.
 RunResult run_recorded(Recording& recording, const Scenario& scenario, double speed, const std::stop_token& stop);
 
 }  // namespace scrubjay::apps

@@ -5,30 +5,15 @@
 #include <memory>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/file_kind.hpp>
-#include <scrubjay/io/octomap_file.hpp>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "recorded_run.hpp"
 #include "replay_carmen.hpp"
-#include "simulated_run.hpp"
 #include "summary.hpp"
 
 namespace scrubjay::apps {
 namespace {
-
-/// The world of the recording, if it is still where it was.
-struct KnownWorld {
-  Stage stage;
-  GroundTruth truth;
-};
-
-std::optional<KnownWorld> find_world(const Scenario& scenario) {
-  if (!std::filesystem::exists(scenario.world)) return std::nullopt;
-  Stage stage = set_stage(scenario);
-  GroundTruth truth = truth_of(stage, scenario.resolution);
-  return KnownWorld{std::move(stage), std::move(truth)};
-}
 
 void replay(const ReplayFlags& flags) {
   expect_speed(flags.speed);
@@ -47,18 +32,11 @@ void replay(const ReplayFlags& flags) {
   Recording recording = open_recording(flags.log);
   Scenario scenario = recording.scenario;
   if (flags.calibration_file) scenario.calibration = calibration_for(scenario.model, *flags.calibration_file);
-  const std::optional<KnownWorld> known = find_world(scenario);
   const std::filesystem::path folder = replay_folder(flags);
-  prepare_run_folder(folder);
+  prepare_results(folder, flags.octomap);
   const Interrupt interrupt;
-  RunResult run = run_recorded(recording, scenario, flags.speed, interrupt.token());
-  if (recording.reader.cut())
-    fmt::print(stderr, "scrubjay: {}: cut or damaged after {:.1f} s; replayed up to there\n", flags.log,
-               run.report.time);
-  if (known) run.truth = compare_with_truth(known->stage, known->truth, run.map.view(), run.trajectory);
-  write_run(folder, run);
-  if (flags.octomap.file) write_octomap(*flags.octomap.file, run.map, flags.octomap.height);
-  print_summary(run, folder, flags.output);
+  const RunResult run = run_recorded(recording, scenario, flags.speed, interrupt.token());
+  deliver(run, folder, flags.octomap, flags.output);
 }
 
 }  // namespace

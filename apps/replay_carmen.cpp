@@ -20,6 +20,7 @@
 
 #include "interrupt.hpp"
 #include "passenger.hpp"
+#include "summary.hpp"
 
 namespace scrubjay::apps {
 namespace {
@@ -185,7 +186,7 @@ void replay_carmen(const ReplayFlags& flags) {
   const Setup setup = make_setup(flags.carmen, log);
   const std::optional<Judge> judge = find_judge(flags.carmen, log);
   const std::filesystem::path folder = replay_folder(flags);
-  prepare_run_folder(folder);
+  prepare_results(folder, flags.octomap);
   const Interrupt interrupt;
   RunResult run = run_log(setup, log, flags.speed, interrupt.token());
   run.reference = compare_with_log(run, setup.poses, log, judge);

@@ -33,6 +33,7 @@ std::string listed(const std::vector<std::string_view>& names) {
 
 void expect_world(const Scenario& scenario);
 void check_figures(const Scenario& scenario);
+void expect_no_lidar_flags(const Scenario& scenario);
 
 }  // namespace
 
@@ -42,7 +43,7 @@ void add_scenario_flags(CLI::App& command, ScenarioFlags& flags) {
   command.add_option("--strategy", flags.strategy,
                      fmt::format("{}\n(contact-frontier; frontiers with a lidar)", listed(strategy_names())));
   command.add_option("--model", flags.model,
-                     "roomba-600, create-2, create-1, turtlebot3-burger\nor a URDF file (roomba-600)");
+                     "roomba-600, create-2, create-1, roomba-400,\nturtlebot3-burger or a URDF file (roomba-600)");
   command.add_option("--localizer", flags.localizer, "odometry, scan-matching (what the senses allow)");
   command.add_option("--noise", flags.noise, "none, hard-floor, carpet, uncalibrated (none)");
   command.add_option("--seed", flags.seed, "same seed, same run (1)")->check(whole_number);
@@ -55,7 +56,7 @@ void add_scenario_flags(CLI::App& command, ScenarioFlags& flags) {
                    "a lidar's beams are measured one by one while it moves");
   command.add_option("--forward-cone", flags.forward_cone, "map only beams this near to straight ahead [deg] (180)")
       ->check(number);
-  command.add_option("--calibration", flags.calibration_file, "the robot's wheels, as scrubjay calibrate wrote them");
+  add_calibration_flag(command, flags.calibration_file);
   command.add_option("--robot-radius", flags.robot_radius, "floor this near to a lidar robot is free [m] (its own)")
       ->check(number);
 }
@@ -78,6 +79,7 @@ void apply_flags(const ScenarioFlags& flags, Scenario& scenario) {
   if (flags.calibration_file) scenario.calibration = calibration_for(scenario.model, *flags.calibration_file);
   check_figures(scenario);
   const RobotModel robot = find_robot(scenario.model).model;
+  if (!robot.lidar) expect_no_lidar_flags(scenario);
   if (scenario.strategy.empty()) scenario.strategy = default_strategy(robot);
   if (scenario.localizer.empty()) scenario.localizer = default_localizer(robot);
 }
@@ -101,8 +103,17 @@ Scenario make_live_scenario(const ScenarioFlags& flags) {
   Scenario scenario = flags.scenario_file ? read_scenario(*flags.scenario_file) : Scenario{};
   scenario.world.clear();
   scenario.start.reset();
-  apply_flags(flags, scenario);
+  ScenarioFlags known = flags;
+  if (flags.calibration_file && !flags.model && !flags.scenario_file) {
+    read_calibration(*flags.calibration_file);  // whose it must be is known once the robot has answered
+    known.calibration_file.reset();
+  }
+  apply_flags(known, scenario);
   return scenario;
+}
+
+void add_calibration_flag(CLI::App& command, std::optional<std::string>& file) {
+  command.add_option("--calibration", file, "the robot's wheels, as scrubjay calibrate wrote them");
 }
 
 Calibration calibration_for(const std::string& model, const std::string& file) {
@@ -137,6 +148,16 @@ void check_figures(const Scenario& scenario) {
   if (scenario.robot_radius && !(*scenario.robot_radius >= 0.0 && *scenario.robot_radius <= 1.0)) {
     throw Error(fmt::format("--robot-radius is {}; want 0 to 1 m", *scenario.robot_radius));
   }
+}
+
+/// What would be noted, and would change nothing, isn't accepted.
+void expect_no_lidar_flags(const Scenario& scenario) {
+  const auto refuse = [&](bool given, std::string_view flag) {
+    if (given) throw Error(fmt::format("{} wants a lidar, which {} hasn't; want none", flag, scenario.model));
+  };
+  refuse(scenario.motion_distortion, "--motion-distortion");
+  refuse(scenario.forward_cone.has_value(), "--forward-cone");
+  refuse(scenario.robot_radius.has_value(), "--robot-radius");
 }
 
 }  // namespace

@@ -36,10 +36,12 @@ void add_scenario_flags(CLI::App& command, ScenarioFlags& flags);
 /// The scenario file, if one was named, with the flags over it. Throws Error.
 Scenario make_scenario(const ScenarioFlags& flags);
 /// The same for a real robot, which brings its world with it: Throws Error for what only a simulated one can be told.
+/// Where no model is told, the calibration is left out: the robot that answers decides whether it is its own.
 Scenario make_live_scenario(const ScenarioFlags& flags);
 /// The flags over a scenario that isn't complete yet, and the strategy and the localizer that suit its model.
 void apply_flags(const ScenarioFlags& flags, Scenario& scenario);
 
+void add_calibration_flag(CLI::App& command, std::optional<std::string>& file);
 /// The factors of a calibration file. Throws Error; also if it is another model's.
 Calibration calibration_for(const std::string& model, const std::string& file);
 

@@ -25,7 +25,7 @@ PacketId nth(PacketId first, std::size_t i) {
 }
 
 std::string cliffs(const oi::Sensors& s) {
-  constexpr std::array<std::string_view, 4> kNames{"left", "front left", "front right", "right"};
+  constexpr std::array<std::string_view, 4> kNames{"L", "FL", "FR", "R"};
   std::string text;
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     const bool open = s[nth(PacketId::CliffLeft, i)] != 0;
@@ -41,7 +41,7 @@ std::string light_signals(const oi::Sensors& s) {
   std::string text;
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     const bool sees = oi::bit(s, PacketId::LightBumper, static_cast<int>(i));
-    text += fmt::format("{} {:4}{:<3}", kNames[i], s[nth(PacketId::LightBumpLeftSignal, i)], sees ? "!" : "");
+    text += fmt::format("{} {:4}{:<2}", kNames[i], s[nth(PacketId::LightBumpLeftSignal, i)], sees ? "!" : "");
   }
   return text + "(! near)";
 }
@@ -98,7 +98,7 @@ void add_create2_rows(const oi::Sensors& s, std::vector<std::string>& rows) {
                                              : oi::stasis(s).toggling ? "turns"
                                                                       : "stands")));
   rows.push_back(
-      row("currents [mA]", fmt::format("left wheel {:<6}right wheel {:<6}main brush {:<6}side brush {}",
+      row("currents [mA]", fmt::format("wheels left {:<6}right {:<6}brushes main {:<6}side {}",
                                        s[PacketId::LeftMotorCurrent], s[PacketId::RightMotorCurrent],
                                        s[PacketId::MainBrushMotorCurrent], s[PacketId::SideBrushMotorCurrent])));
 }

@@ -45,8 +45,10 @@ class SimulatedRobot {
 
   Robot& robot() { return *robot_; }
   const sim::Truth& truth() const { return roomba_ ? roomba_->truth() : turtlebot_->truth(); }
-  void close_recording() {
-    if (writer_) writer_->close();
+  void close_recording(const Report& report) {
+    if (!writer_) return;
+    writer_->record_end({report.frames, std::string(to_string(report.ended))});
+    writer_->close();
   }
 
  private:
@@ -134,7 +136,7 @@ RunResult run_simulated(const Scenario& scenario, const Stage& stage, const Grou
   RunResult run;
   run.scenario = scenario;
   run.report = mission.run(stop);
-  simulated.close_recording();
+  simulated.close_recording(run.report);
   run.cpu_time = thread_cpu_time() - cpu_begin;
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_begin).count();
   run.map = estimation.mapper->occupancy();

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <scrubjay/error.hpp>
+#include <scrubjay/io/atomic_file.hpp>
+#include <scrubjay/io/octomap_file.hpp>
 
 namespace scrubjay::apps {
 namespace {
@@ -25,20 +28,7 @@ std::string grouped(std::uint64_t number) {
   return grouped(number / 1000) + fmt::format(",{:03}", number % 1000);
 }
 
-}  // namespace
-
-std::string link_line(const LinkReport& link) {
-  std::string line = fmt::format("link: {} frames, {} lost", grouped(link.frames), grouped(link.lost_frames));
-  if (link.bad_bytes > 0) line += fmt::format(", {} stray bytes", grouped(link.bad_bytes));
-  if (link.silences > 0) {
-    line += fmt::format(", {} {} ({:.1f} s silent)", link.reconnections,
-                        link.reconnections == 1 ? "reconnection" : "reconnections", link.longest_silence);
-  }
-  if (link.watchdog_stops > 0) line += fmt::format(", {} stopped by the watchdog", link.watchdog_stops);
-  return line;
-}
-
-void print_summary(const RunResult& run, const std::filesystem::path& folder, const OutputFlags& flags) {
+void print_figures(const RunResult& run, const OutputFlags& flags) {
   if (flags.json) return fmt::print("{}", metrics_json(run));
   if (flags.quiet) return;
   const Report& report = run.report;
@@ -60,7 +50,37 @@ void print_summary(const RunResult& run, const std::filesystem::path& folder, co
   if (run.cpu_time > 0.0) {
     fmt::print("{:.0f} times real time ({:.2f} s)\n", report.time / run.cpu_time, run.wall_time);
   }
-  fmt::print("picture: {}\n", (folder / "map.png").string());
+}
+
+}  // namespace
+
+std::string link_line(const LinkReport& link) {
+  std::string line = fmt::format("link: {} frames, {} lost", grouped(link.frames), grouped(link.lost_frames));
+  if (link.bad_bytes > 0) line += fmt::format(", {} stray bytes", grouped(link.bad_bytes));
+  if (link.silences > 0) {
+    line += fmt::format(", {} {} ({:.1f} s silent)", link.reconnections,
+                        link.reconnections == 1 ? "reconnection" : "reconnections", link.longest_silence);
+  }
+  if (link.watchdog_stops > 0) line += fmt::format(", {} stopped by the watchdog", link.watchdog_stops);
+  return line;
+}
+
+void prepare_results(const std::filesystem::path& folder, const OctomapFlags& octomap) {
+  prepare_run_folder(folder);
+  if (octomap.file) AtomicFiles().add(*octomap.file, "");
+}
+
+void deliver(const RunResult& run, const std::filesystem::path& folder, const OctomapFlags& octomap,
+             const OutputFlags& flags) {
+  try {
+    write_run(folder, run);
+    if (octomap.file) write_octomap(*octomap.file, run.map, octomap.height);
+  } catch (const Error&) {
+    print_figures(run, flags);
+    throw;
+  }
+  print_figures(run, flags);
+  if (!flags.json && !flags.quiet) fmt::print("picture: {}\n", (folder / "map.png").string());
 }
 
 }  // namespace scrubjay::apps

@@ -11,8 +11,13 @@
 
 namespace scrubjay::apps {
 
-/// Prints a summary for people, or metrics.json for programs. `folder` is where the files are.
-void print_summary(const RunResult& run, const std::filesystem::path& folder, const OutputFlags& flags);
+/// Throws Error (Kind::Failure) unless the results of a run can be written: asked before it, so that none is in vain.
+void prepare_results(const std::filesystem::path& folder, const OctomapFlags& octomap);
+
+/// Writes the results of a run into `folder`, and prints a summary for people or metrics.json for programs: that even
+/// if writing fails, before it throws.
+void deliver(const RunResult& run, const std::filesystem::path& folder, const OctomapFlags& octomap,
+             const OutputFlags& flags);
 
 /// As in "link: 40,123 frames, 3 lost, 1 reconnection (0.8 s silent)".
 std::string link_line(const LinkReport& link);

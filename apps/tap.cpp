@@ -2,6 +2,7 @@
 /// `scrubjay tap`: listens between a robot and any client, and records both.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/scenario_file.hpp>
@@ -10,6 +11,7 @@
 #include "commands.hpp"
 #include "data_folder.hpp"
 #include "interrupt.hpp"
+#include "recorded_run.hpp"
 #include "robot_address.hpp"
 #include "run_options.hpp"
 
@@ -21,6 +23,7 @@ struct TapFlags {
   std::string terminal;
   std::string record;
   std::string model = "roomba-600";
+  std::optional<std::string> calibration_file;
   double max_time = 1e7;  ///< [s]
   bool quiet = false;
 };
@@ -28,9 +31,11 @@ struct TapFlags {
 void tap(const TapFlags& flags) {
   const SerialAddress address = parse_port(flags.port, "--port");
   if (!(flags.max_time > 0.0)) throw Error(fmt::format("--max-time is {}; want a number above 0", flags.max_time));
-  find_robot(flags.model);
+  find_oi_robot(flags.model);
   Scenario scenario;  // without a strategy: the client drives
   scenario.model = flags.model;
+  scenario.max_time = std::clamp(flags.max_time, scenario.max_time, kLongestReplay);
+  if (flags.calibration_file) scenario.calibration = calibration_for(scenario.model, *flags.calibration_file);
   const Interrupt interrupt;
   SerialPort port(address);
   PseudoTerminal terminal(flags.terminal);
@@ -57,6 +62,7 @@ void add_tap(CLI::App& app) {
   command->add_option("--pty", flags->terminal, "link that clients open instead")->required();
   command->add_option("--record", flags->record, "the recording, an .oilog")->required();
   command->add_option("--model", flags->model, "of the robot, for whoever replays it (roomba-600)");
+  add_calibration_flag(*command, flags->calibration_file);
   command->add_option("--max-time", flags->max_time, "seconds (1e7)")->check(number);
   command->add_flag("--quiet", flags->quiet, "print no summary");
   command->callback([flags] { tap(*flags); });

@@ -61,8 +61,9 @@ void follow_edges(void) {
 \`\`\`
 
 \`scrubjay_feed\` takes bytes in any pieces, and through \`send\` tells the robot what to do after each frame. It wants to
-be called every 15 ms or more often, bytes or not: that is how a silent robot is noticed, and told to stand. Every
-function, status and unit is documented in the header.
+be called every 15 ms or more often, bytes or not: that is how a silent robot is noticed, and told to stand. One that
+was reset, or had its battery out, is started anew as soon as it hears, and goes on with its map from the pose that it
+had. Every function, status and unit is documented in the header.
 
 ## In C++
 

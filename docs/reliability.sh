@@ -42,10 +42,16 @@ How the client gets there:
 - Motions are told again every other tick, so that a lost byte costs 30 ms.
 - The robot echoes the speeds that it was asked for (packets 41 and 42). Where the echo shows none of those of the last
   60 ms, a damaged command is swallowing what follows: 256 zeros end it.
-- A robot that says nothing for 85 ms is told to stand until it speaks; its session is started anew at once, and then
+- A robot that says nothing for 75 ms is told to stand until it speaks; its session is started anew at once, and then
   with growing pauses. A robot that a damaged command has sent to sleep hears nothing but
   its BRC pin: the campaign pulls it, once, when a silence lasts for a second.
 - The wheels' way comes from counters, not from speeds: a frame that is lost costs nothing but its moment. A count that
   no wheel can have reached is believed only once the next one agrees with it.
-- When the session ends, the robot is told to stop until its frames say that it is in Passive mode.
+- When the session ends, the robot is told to stop until its frames say for 0.1 s that it is in Passive mode.
+
+What runs here is the client's session with a robot (`OiRobot`: renewal, silence, deafness, the stop and its
+confirmation) and the pauses between attempts (`Reconnection`), by the simulation's clock. `SerialRobot`, which joins
+them to a real port, stops by the same confirmed stop after it has braked, and has a watchdog in a thread of its own;
+that thread, the port and its reopening are tested on pseudo-terminals in real time (`test/io/serial_robot_test.cpp`),
+not here. The campaign starts a session anew up to four times until the stop is confirmed, `SerialRobot` does not.
 TEXT

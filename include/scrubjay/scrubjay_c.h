@@ -41,8 +41,9 @@ typedef enum scrubjay_status {
 
 typedef enum scrubjay_link {
   SCRUBJAY_LINK_ALIVE = 0,
-  SCRUBJAY_LINK_SILENT = 1,  ///< no frame came for about a tenth of a second: the motion is zero
-  SCRUBJAY_LINK_CLOSED = 2   ///< `send` said that bytes can't be sent
+  SCRUBJAY_LINK_SILENT = 1,  ///< no frame came for about a tenth of a second: the motion is zero, and the session is
+                             ///< started anew, at least every 2 s, until frames come
+  SCRUBJAY_LINK_CLOSED = 2   ///< `send` said that bytes can't be sent; tried again as often
 } scrubjay_link;
 
 /// Sends `count` bytes to the robot, all of them. Returns 0 if the line is gone, anything else if they are on their

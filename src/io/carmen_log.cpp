@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/carmen_log.hpp>
+#include <scrubjay/io/world_reader.hpp>
 
 #include "file_content.hpp"
 #include "gzip.hpp"
@@ -26,10 +28,24 @@ struct LoggedScan {
   std::vector<LoggedOdometry> after;
 };
 
+constexpr double kMostTurned = 1e5;    // summed up over a log [rad]
+constexpr double kLatestStamp = 1e11;  // [s]; those that count from 1970 stand at 1e9 to 2e9
+
+/// The next word as a number from -limit to limit.
+double bounded(TextLine& line, std::string_view what, double limit) {
+  const double value = line.number(what);
+  if (std::fabs(value) <= limit) return value;
+  line.fail_field(fmt::format("{} is {:g}; want {:g} to {:g}", what, value, -limit, limit));
+}
+
 Pose2 read_pose(TextLine& line, std::string_view prefix) {
-  const double x = line.number(fmt::format("{}x", prefix));
-  const double y = line.number(fmt::format("{}y", prefix));
-  return {x, y, wrap_angle(line.number(fmt::format("{}theta", prefix)))};
+  const double x = bounded(line, fmt::format("{}x", prefix), kWorldExtent);
+  const double y = bounded(line, fmt::format("{}y", prefix), kWorldExtent);
+  return {x, y, wrap_angle(bounded(line, fmt::format("{}theta", prefix), kMostTurned))};
+}
+
+double read_stamp(TextLine& line) {
+  return bounded(line, "stamp", kLatestStamp);
 }
 
 /// Takes the lines of a log apart.
@@ -77,7 +93,7 @@ void LogReader::add_scan(TextLine& line) {
   LoggedScan scan;
   scan.pose = read_pose(line, "");
   scan.odometry = read_pose(line, "odom_");
-  scan.stamp = line.number("stamp");
+  scan.stamp = read_stamp(line);
   scans_.push_back(scan);
 }
 
@@ -92,12 +108,12 @@ void LogReader::add_odometry(TextLine& line) {
     return;
   }
   for (const std::string_view speed : {"tv", "rv", "accel"}) line.number(speed);
-  scan.after.push_back({line.number("stamp"), pose});
+  scan.after.push_back({read_stamp(line), pose});
 }
 
 void LogReader::add_parameter(TextLine& line) {
   const std::string_view name = line.word();
-  if (name == "robot_frontlaser_offset") laser_offset_ = line.number(name);
+  if (name == "robot_frontlaser_offset") laser_offset_ = bounded(line, name, kWorldExtent);
   if (name == "robot_front_laser_max") {
     max_range_ = line.number(name);
     if (max_range_ <= 0.0) line.fail(fmt::format("{} is {}; want a positive length", name, max_range_));

@@ -105,7 +105,7 @@ Contact Examination::find_robot() {
   send(oi::Start{});
   send(oi::PauseResumeStream{0});
   quieten();
-  for (const oi::Model model : {oi::Model::Create2, oi::Model::Create1, oi::Model::Roomba400}) {
+  for (const oi::Model model : oi::kRichestFirst) {
     const std::size_t before = heard_;
     if (!answers(model)) {
       // Who says something when asked for the longer list has it; the shorter ones it would answer as well.
@@ -117,7 +117,7 @@ Contact Examination::find_robot() {
     report_.quirks = {};
     if (!report_.sensors.has(PacketId::OiMode)) return report_.contact;
     // Start leads to Passive from wherever the robot was.
-    report_.quirks.mode_one_too_high = report_.sensors[PacketId::OiMode] == static_cast<int>(oi::OiMode::Passive) + 1;
+    report_.quirks.mode_one_too_high = oi::is_one_too_high(report_.sensors[PacketId::OiMode], oi::OiMode::Passive);
     report_.mode = oi::corrected_mode(report_.sensors[PacketId::OiMode], report_.quirks);
     return report_.contact;
   }
@@ -223,11 +223,9 @@ void Examination::end_listening(double stamp) {
 }
 
 void Examination::listen_to_stream(double seconds, const Look& look) {
-  const oi::SensorId id = oi::all_packets(report_.model);
-  const auto ids = oi::FixedList<oi::SensorId, 0, 255>::of({&id, 1});
   quieten();
-  if (!ids || !send(oi::Stream{*ids})) return;
-  oi::StreamParser parser(report_.model, static_cast<std::uint8_t>(id.bytes() + 1));
+  if (!send(oi::stream_of_all(report_.model))) return;
+  oi::StreamParser parser(report_.model, oi::payload_of_all(report_.model));
   const double begin = now_();
   double end = begin;
   bool watching = true;

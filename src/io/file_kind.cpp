@@ -53,6 +53,10 @@ std::string_view to_string(FileKind kind) {
       return "trajectory";
     case FileKind::CarmenLog:
       return "CARMEN log";
+    case FileKind::Octomap:
+      return "OctoMap tree";
+    case FileKind::Calibration:
+      return "calibration";
     case FileKind::Unknown:
       return "unknown";
   }
@@ -66,11 +70,13 @@ FileKind file_kind(const std::filesystem::path& path) {
   if (text.starts_with("\x1f\x8b")) text = content = unpacked(file, path.string());
   if (text.starts_with("\x89OILOG")) return FileKind::Recording;
   if (text.starts_with("\x89PNG") || text.starts_with("P5") || text.starts_with("P2")) return FileKind::Image;
+  if (text.starts_with("# Octomap OcTree binary file")) return FileKind::Octomap;
   if (has_record(text, "FLASER")) return FileKind::CarmenLog;
   if (text.find("<robot") != text.npos) return FileKind::Urdf;
   if (text.find("\"verts\"") != text.npos) return FileKind::HouseExpoPlan;
   if (has_key(text, "image")) return FileKind::MapYaml;
   if (has_key(text, "walls")) return FileKind::World;
+  if (has_key(text, "axle") && has_key(text, "left") && has_key(text, "right")) return FileKind::Calibration;
   if (has_key(text, "strategy") || has_key(text, "world")) return FileKind::Scenario;
   if (is_trajectory(text)) return FileKind::Trajectory;
   return FileKind::Unknown;

@@ -115,15 +115,25 @@ Motion KeyDriver::motion(const Frame& frame) {
   return {speed() * params_.max_speed * forward_.sign, speed() * params_.max_turn * left_.sign};
 }
 
+bool heed_keys_in_silence(KeyDriver& driver, const KeySource& keys) {
+  const auto pressed = keys();
+  if (!pressed) return false;
+  for (const Key& key : *pressed) driver.press(key, 0.0);
+  driver.let_go();
+  return !driver.quit();
+}
+
 DriveEnd drive_by_keys(Robot& robot, KeyDriver& driver, const KeySource& keys, const DriveView& view,
                        const std::stop_token& stop) {
   const StopAtTheEnd stop_at_the_end(robot);
   std::optional<double> last;
   while (!stop.stop_requested()) {
     const std::optional<Frame> frame = robot.next();
-    if (!frame) return stop.stop_requested() ? DriveEnd::Stopped : DriveEnd::RobotGone;
+    if (!frame && stop.stop_requested()) return DriveEnd::Stopped;
+    if (!frame && driver.quit()) return DriveEnd::Quit;
     const auto pressed = keys();
     if (!pressed) return DriveEnd::KeyboardGone;
+    if (!frame) return DriveEnd::RobotGone;
     // What was pressed while nobody saw what the robot does, isn't meant for now; but whoever quits, quits.
     const bool blind = last && frame->stamp - *last > driver.params().silence;
     last = frame->stamp;

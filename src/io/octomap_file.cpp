@@ -7,6 +7,8 @@
 #include <scrubjay/io/octomap_file.hpp>
 #include <sstream>
 
+#include "file_content.hpp"
+
 namespace scrubjay {
 namespace {
 
@@ -73,6 +75,24 @@ void write_octomap(const std::filesystem::path& path, const OccupancyGrid& map, 
                         tree.getResolution());
   tree.writeBinaryData(stream);
   write_file_atomically(path, stream.view());
+}
+
+OctomapHead read_octomap_head(const std::filesystem::path& path) {
+  const std::vector<std::uint8_t> file = read_file(path);
+  const std::string text(file.begin(), file.end());
+  constexpr std::string_view kTitle = "# Octomap OcTree binary file\n";
+  const std::size_t data = text.find("\ndata\n");
+  OctomapHead head;
+  if (text.starts_with(kTitle) && data != text.npos) {
+    std::istringstream lines(text.substr(kTitle.size(), data + 1 - kTitle.size()));
+    for (std::string key, value; lines >> key >> value;) {
+      std::istringstream number(value);
+      if (key == "size") number >> head.nodes;
+      if (key == "res") number >> head.resolution;
+    }
+  }
+  if (head.resolution > 0.0) return head;
+  throw Error(fmt::format("{}: no head of a binary OctoMap tree; want its title, size, res and data", path.string()));
 }
 
 }  // namespace scrubjay

@@ -17,11 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A link that an emulator has left behind: to nowhere, or to a pseudo-terminal whose number may be another one's now.
-bool is_stale_link(const fs::path& path) {
+/// Throws Error unless `link` is one that somebody has left behind: to nowhere, since a pseudo-terminal goes with the
+/// program that opened it, or to `ours`, whose number was that one's before.
+void expect_stale(const fs::path& link, const fs::path& ours) {
   std::error_code error;
-  if (!fs::is_symlink(fs::symlink_status(path, error))) return false;
-  return !fs::exists(path, error) || fs::read_symlink(path, error).parent_path() == "/dev/pts";
+  const bool is_link = fs::is_symlink(fs::symlink_status(link, error));
+  if (is_link && !fs::exists(link, error)) return;
+  const fs::path led_to = is_link ? fs::read_symlink(link, error) : fs::path();
+  if (led_to == ours) return;
+  if (led_to.parent_path() == "/dev/pts") {
+    throw Error(fmt::format("{}: leads to {}, which is in use; want another name, or remove the link if it is old",
+                            link.string(), led_to.string()));
+  }
+  throw Error(fmt::format("{}: is there already and no link to a pseudo-terminal; want another name or remove it",
+                          link.string()));
 }
 
 /// There whole or not at all, and never in the place of anything but a stale link.
@@ -32,10 +41,7 @@ void make_link(const fs::path& link, const fs::path& target) {
   };
   if (::symlink(target.c_str(), link.c_str()) == 0) return;
   if (errno != EEXIST) fail(errno);
-  if (!is_stale_link(link)) {
-    throw Error(fmt::format("{}: is there already and no link to a pseudo-terminal; want another name or remove it",
-                            link.string()));
-  }
+  expect_stale(link, target);
   fs::path fresh = link;
   fresh += fmt::format(".{}~", ::getpid());
   ::unlink(fresh.c_str());  // left by a process of that number that was killed

@@ -20,7 +20,13 @@ ByteRead RecordedChannel::read(std::span<std::uint8_t> buffer) {
   while (rest_.empty()) {
     const std::optional<RecordedBytes> next = reader_.next();
     if (!next) return {.count = 0, .stamp = stamp_, .open = false};
-    if (next->direction == Direction::Sent) continue;
+    if (next->direction == Direction::Sent) {
+      // What came of a read that brought nothing: a reader that lost patience then is to lose it again.
+      if (!heard_ || next->stamp <= stamp_) continue;
+      stamp_ = next->stamp;
+      return {.count = 0, .stamp = stamp_, .open = true};
+    }
+    heard_ = true;
     rest_ = next->bytes;
     stamp_ = next->stamp;
   }

@@ -9,13 +9,13 @@ constexpr double kReplyTimeout = 0.25;  // a reply that isn't whole by then won'
 
 }  // namespace
 
-RecordedRobot::RecordedRobot(RecordingReader& reader, const RobotModel& model)
+RecordedRobot::RecordedRobot(RecordingReader& reader, const RobotModel& model, const oi::FirmwareQuirks& quirks)
     : reader_(reader),
       model_(model),
       commands_(model.protocol),
       stream_(model.protocol),
       reply_(model.protocol),
-      frame_maker_(model) {}
+      frame_maker_(model, quirks) {}
 
 std::optional<Frame> RecordedRobot::next() {
   while (frames_.empty()) {

@@ -49,7 +49,7 @@ namespace {
 
 /// The first place from `begin` on where the two differ; their length if there is none.
 std::size_t first_difference(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b, std::size_t begin) {
-  // Eight at a time: most of a frame is as before. BM_RecordFrame.
+  // Eight at a time: most of a frame is as before. Benchmark: RecordFrame.
   for (std::uint64_t x = 0, y = 0; begin + sizeof x <= a.size(); begin += sizeof x) {
     std::memcpy(&x, a.data() + begin, sizeof x);
     std::memcpy(&y, b.data() + begin, sizeof y);

@@ -16,7 +16,7 @@ inline constexpr std::array<std::uint8_t, 9> kFileHead{0x89, 'O', 'I', 'L', 'O',
 inline constexpr std::size_t kMagicSize = 8;
 
 /// First byte of a record.
-enum Kind : std::uint8_t { kScenario = 1, kReceived = 2, kReceivedDelta = 3, kSent = 4, kEnd = 5 };
+enum Kind : std::uint8_t { kScenario = 1, kReceived = 2, kReceivedDelta = 3, kSent = 4, kEnd = 5, kMissionEnd = 6 };
 
 /// Unsigned LEB128: seven bits a byte, low ones first, the high bit set on all but the last.
 inline constexpr std::size_t kMaxVarintSize = 10;

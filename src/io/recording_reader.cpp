@@ -80,8 +80,20 @@ std::optional<RecordingReader::Record> RecordingReader::next_record() {
   return Record{kind, payload};
 }
 
+/// The next record that holds bytes which passed, or makes no sense.
+std::optional<RecordingReader::Record> RecordingReader::next_chunk() {
+  while (true) {
+    std::optional<Record> record = next_record();
+    if (!record || record->kind != recording::kMissionEnd) return record;
+    std::span<const std::uint8_t> payload = record->payload;
+    const auto frames = recording::take_varint(payload);
+    if (!frames) return record;
+    mission_end_ = RecordedEnd{*frames, std::string(payload.begin(), payload.end())};
+  }
+}
+
 std::optional<RecordedBytes> RecordingReader::next() {
-  const std::optional<Record> record = next_record();
+  const std::optional<Record> record = next_chunk();
   if (!record) return std::nullopt;
   const double stamp = stamp_from_nanoseconds(last_stamp_);
   std::span<const std::uint8_t> payload = record->payload;

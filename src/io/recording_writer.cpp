@@ -22,12 +22,29 @@ Error write_error(const std::string& name, int error) {
   return Error(fmt::format("{}: cannot write the recording: {}", name, std::strerror(error)), Error::Kind::Failure);
 }
 
-/// Renames a file that is there, and gives its new name; none if there is no such file to keep.
-std::optional<std::filesystem::path> move_aside(const std::filesystem::path& path) {
+bool is_regular(const std::filesystem::path& path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error))) return std::nullopt;
+  return std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error));
+}
+
+bool is_whole_recording(const std::filesystem::path& path) {
+  try {
+    RecordingReader reader(path);
+    while (reader.next()) {
+    }
+    return !reader.cut();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// Renames a file that is there, and gives its new name; none if there is no such file to keep. A whole recording that
+/// an earlier run has put aside, and that was killed before its own one was whole, stays where it is instead.
+std::optional<std::filesystem::path> move_aside(const std::filesystem::path& path) {
+  if (!is_regular(path)) return std::nullopt;
   std::filesystem::path aside = path;
   aside += "~";
+  if (is_regular(aside) && is_whole_recording(aside) && !is_whole_recording(path)) return aside;
   if (::rename(path.c_str(), aside.c_str()) != 0) throw write_error(path.string(), errno);
   return aside;
 }
@@ -91,6 +108,14 @@ void RecordingWriter::record(Direction direction, double stamp, std::span<const 
   if (buffer_.size() < kBufferSize && !late) return;
   handed_over_at_ = now;
   hand_over();
+}
+
+void RecordingWriter::record_end(const RecordedEnd& end) {
+  if (failed_ || file_ < 0) return;
+  std::vector<std::uint8_t> payload(recording::kMaxVarintSize);
+  payload.resize(recording::put_varint(payload.data(), end.frames));
+  payload.insert(payload.end(), end.why.begin(), end.why.end());
+  append(recording::kMissionEnd, last_stamp_, payload);
 }
 
 void RecordingWriter::append(std::uint8_t kind, std::int64_t nanoseconds, std::span<const std::uint8_t> payload) {

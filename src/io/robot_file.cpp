@@ -4,6 +4,7 @@
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/robot_file.hpp>
 
+#include "dialect_names.hpp"
 #include "file_content.hpp"
 #include "urdf_body.hpp"
 #include "yaml_field.hpp"
@@ -34,12 +35,10 @@ void read_settings(const YamlField& field, const std::array<Setting, N>& setting
 }
 
 void read_protocol(const YamlField& field, RobotModel& model) {
-  constexpr std::array<std::pair<std::string_view, oi::Model>, 3> kDialects{
-      {{"create-2", oi::Model::Create2}, {"create-1", oi::Model::Create1}, {"roomba-400", oi::Model::Roomba400}}};
   const std::string name = field.text();
   model.open_interface = name != "none";
   if (!model.open_interface) return;
-  for (const auto& [known, dialect] : kDialects) {
+  for (const auto& [known, dialect] : kDialectNames) {
     if (name != known) continue;
     model.protocol = dialect;
     return;

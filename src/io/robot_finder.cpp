@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <scrubjay/error.hpp>
-#include <scrubjay/oi/command.hpp>
+#include <scrubjay/oi/all_packets.hpp>
 #include <scrubjay/oi/query.hpp>
+#include <scrubjay/oi/quirks.hpp>
 #include <scrubjay/oi/stream_parser.hpp>
 #include <vector>
 
@@ -15,36 +16,36 @@ namespace {
 
 using oi::Model;
 
-constexpr std::array<Model, 3> kDialects{Model::Create2, Model::Create1, Model::Roomba400};
-constexpr std::array<int, 3> kRates{115200, 57600, 19200};
 constexpr double kLongestWait = 0.25;    // for an answer [s]
 constexpr double kSpare = 0.1;           // of the time for all, for what takes longer than planned [s]
 constexpr int kFramesToBelieveMode = 3;  // those on their way when the robot was told to be Passive are over by then
 constexpr std::size_t kShownBytes = 8;   // of what isn't understood
-constexpr int kPassive = 1;              // packet 35
 
-/// Puts the wanted one in front.
-template <typename T, std::size_t N>
-std::vector<T> first_of_all(const std::array<T, N>& known, T wanted) {
-  std::vector<T> all{wanted};
-  std::ranges::copy_if(known, std::back_inserter(all), [&](T one) { return one != wanted; });
-  return all;
+/// The expected one in front.
+std::vector<Model> dialects_to_try(Model expected) {
+  std::vector<Model> dialects{expected};
+  std::ranges::copy_if(oi::kRichestFirst, std::back_inserter(dialects), [&](Model one) { return one != expected; });
+  return dialects;
 }
 
 class Finder {
  public:
   Finder(SerialPort& port, const SerialAddress& address, std::optional<Model> expected, double timeout,
-         const std::stop_token& stop)
+         OiRobot::Session session, const std::stop_token& stop)
       : port_(port),
         name_(address.path.string()),
-        dialects_(first_of_all(kDialects, expected.value_or(Model::Create2))),
-        rates_(first_of_all(kRates, address.baud)),
+        dialects_(dialects_to_try(expected.value_or(Model::Create2))),
+        rates_(rates_to_try(address)),
         end_(port.now() + timeout - kSpare),
+        listens_(session == OiRobot::Session::Listen),
         stop_(stop) {}
 
   FoundRobot find() {
     // All dialects at all rates, and once more at the first one after waking.
     attempts_ = dialects_.size() * (rates_.size() + 1);
+    if (listens_) {
+      if (const auto robot = find_as_it_is()) return *robot;
+    }
     if (const auto robot = try_rate(rates_.front(), false)) return *robot;
     if (heard_.empty() && port_.pulse_wake()) {
       could_wake_ = true;
@@ -63,11 +64,43 @@ class Finder {
   }
 
  private:
+  /// Without Start, which would take it out of Safe or Full mode.
+  std::optional<FoundRobot> find_as_it_is() {
+    const std::size_t later = attempts_;
+    attempts_ += 2 * dialects_.size() * rates_.size();
+    starts_ = false;
+    for (std::size_t i = 0; i < rates_.size(); ++i) {
+      if (i > 0 && !set_rate(rates_[i])) continue;
+      if (auto robot = overhear(rates_[i])) return robot;
+      if (auto robot = try_rate(rates_[i], false)) return robot;
+    }
+    starts_ = true;
+    attempts_ = later;
+    set_rate(rates_.front());
+    return std::nullopt;
+  }
+
+  /// One that streams all packets already.
+  std::optional<FoundRobot> overhear(int baud) {
+    port_.discard();
+    for (const Model dialect : dialects_) {
+      const double wait = share_of_time();
+      FoundRobot robot{.protocol = dialect, .baud = baud, .streamed_before = true};
+      if (dialect != Model::Roomba400 && hears_frames(robot, wait)) return robot;
+    }
+    return std::nullopt;
+  }
+
+  /// For one of the attempts that are left [s].
+  double share_of_time() {
+    return std::clamp((end_ - port_.now()) / static_cast<double>(attempts_--), 0.03, kLongestWait);
+  }
+
   std::optional<FoundRobot> try_rate(int baud, bool woken) {
     for (const Model dialect : dialects_) {
       if (stop_.stop_requested()) throw Error(name_ + ": stopped while looking for a robot", Error::Kind::Failure);
-      const double wait = std::clamp((end_ - port_.now()) / static_cast<double>(attempts_--), 0.03, kLongestWait);
-      FoundRobot robot{dialect, baud, woken, false};
+      const double wait = share_of_time();
+      FoundRobot robot{.protocol = dialect, .baud = baud, .woken = woken};
       if (answers(robot, wait)) return robot;
     }
     return std::nullopt;
@@ -96,15 +129,20 @@ class Finder {
 
   bool answers(FoundRobot& robot, double wait) {
     port_.discard();
-    send(oi::Start{});
+    if (starts_) send(oi::Start{});
     return robot.protocol == Model::Roomba400 ? replies(wait) : streams(robot, wait);
   }
 
-  /// Whether frames of all packets come.
   bool streams(FoundRobot& robot, double wait) {
-    const oi::SensorId all = robot.protocol == Model::Create2 ? oi::SensorId(100) : oi::SensorId(6);
-    if (const auto ids = oi::FixedList<oi::SensorId, 0, 255>::of({&all, 1})) send(oi::Stream{*ids});
-    oi::StreamParser parser(robot.protocol, static_cast<std::uint8_t>(all.bytes() + 1));
+    send(oi::stream_of_all(robot.protocol));
+    if (!hears_frames(robot, wait)) return false;
+    if (!listens_) send(oi::PauseResumeStream{oi::Bounded<0, 1>(0)});
+    return true;
+  }
+
+  /// Whether frames of all packets come.
+  bool hears_frames(FoundRobot& robot, double wait) {
+    oi::StreamParser parser(robot.protocol, oi::payload_of_all(robot.protocol));
     oi::Sensors sensors;
     std::uint64_t frames = 0;
     const double end = port_.now() + wait;
@@ -112,14 +150,13 @@ class Finder {
       parser.feed(read(), [&](const oi::StreamFrame& frame) { frames += decode(frame, robot.protocol, sensors).ok; });
     }
     if (frames == 0) return false;
-    robot.mode_one_too_high = sensors[oi::PacketId::OiMode] == kPassive + 1;
-    send(oi::PauseResumeStream{oi::Bounded<0, 1>(0)});
+    robot.mode_one_too_high = starts_ && oi::is_one_too_high(sensors[oi::PacketId::OiMode], oi::OiMode::Passive);
     return true;
   }
 
   /// Whether a reply comes that is as long as it should be, makes sense, and has silence behind it.
   bool replies(double wait) {
-    const oi::Query query{oi::SensorId(0)};
+    const oi::Query query{oi::all_packets(Model::Roomba400)};
     oi::QueryReader reply(Model::Roomba400);
     if (!reply.expect(query)) return false;
     send(query);
@@ -156,6 +193,8 @@ class Finder {
   std::vector<Model> dialects_;
   std::vector<int> rates_;
   double end_;
+  bool listens_;
+  bool starts_ = true;  // brings the robot to Passive mode before it is asked
   const std::stop_token& stop_;
   std::size_t attempts_ = 0;  // left
   bool could_wake_ = false;
@@ -166,8 +205,8 @@ class Finder {
 }  // namespace
 
 FoundRobot find_robot(SerialPort& port, const SerialAddress& address, std::optional<Model> expected, double timeout,
-                      const std::stop_token& stop) {
-  return Finder(port, address, expected, timeout, stop).find();
+                      OiRobot::Session session, const std::stop_token& stop) {
+  return Finder(port, address, expected, timeout, session, stop).find();
 }
 
 const char* name_of(Model protocol) {

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/scenario_file.hpp>
 #include <scrubjay/io/world_reader.hpp>
 
+#include "dialect_names.hpp"
 #include "factors.hpp"
 #include "file_content.hpp"
 #include "yaml_field.hpp"
@@ -18,6 +20,18 @@ std::uint64_t read_seed(const YamlField& field) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
   if (error != std::errc() || end != text.data() + text.size()) field.fail("a whole number of 0 or more");
   return seed;
+}
+
+oi::Model read_dialect(const YamlField& field) {
+  const std::string text = field.text();
+  for (const auto& [name, dialect] : kDialectNames) {
+    if (name == text) return dialect;
+  }
+  field.fail("create-2, create-1 or roomba-400");
+}
+
+std::string_view name_of(oi::Model dialect) {
+  return std::ranges::find(kDialectNames, dialect, [](const auto& known) { return known.second; })->first;
 }
 
 void read_exploration(const YamlField& root, Scenario& scenario) {
@@ -61,13 +75,16 @@ std::string scenario_text(const Scenario& scenario) {
   if (scenario.motion_distortion) text += "motion_distortion: true\n";
   if (scenario.forward_cone) text += fmt::format("forward_cone: {}\n", *scenario.forward_cone);
   if (scenario.robot_radius) text += fmt::format("robot_radius: {}\n", *scenario.robot_radius);
+  if (scenario.protocol) text += fmt::format("protocol: {}\n", name_of(*scenario.protocol));
+  if (scenario.mode_one_too_high) text += "mode_one_too_high: true\n";
   return text;
 }
 
 Scenario parse_scenario(const std::string& text, const std::string& file) {
   const YamlField root = YamlField::parse(text, file);
   root.expect_keys({"world", "model", "strategy", "localizer", "noise", "seed", "start", "resolution", "max_time",
-                    "within", "return_home", "motion_distortion", "forward_cone", "robot_radius", "calibration"});
+                    "within", "return_home", "motion_distortion", "forward_cone", "robot_radius", "calibration",
+                    "protocol", "mode_one_too_high"});
   Scenario scenario;
   if (root.has("world")) scenario.world = root.at("world").text();
   if (root.has("model")) scenario.model = root.at("model").text();
@@ -91,6 +108,8 @@ Scenario parse_scenario(const std::string& text, const std::string& file) {
     field.expect_keys({"left", "right", "axle"});
     scenario.calibration = read_factors(field);
   }
+  if (root.has("protocol")) scenario.protocol = read_dialect(root.at("protocol"));
+  if (root.has("mode_one_too_high")) scenario.mode_one_too_high = root.at("mode_one_too_high").boolean();
   read_exploration(root, scenario);
   return scenario;
 }

@@ -47,6 +47,14 @@ bool wait_for(int file, short events, std::chrono::milliseconds limit) {
 
 }  // namespace
 
+std::vector<int> rates_to_try(const SerialAddress& address) {
+  std::vector<int> rates{address.baud};
+  for (const int rate : {115200, 57600, 19200}) {
+    if (rate != address.baud) rates.push_back(rate);
+  }
+  return rates;
+}
+
 /// What is open: closed in the order that leaves it as it was found.
 class SerialPort::Device {
  public:

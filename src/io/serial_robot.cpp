@@ -16,7 +16,7 @@ namespace {
 constexpr double kHaltInterval = 0.03;              // between two orders to stand, to a robot that rolls on [s]
 constexpr double kHaltsEnd = 1.5;                   // from full speed a robot brakes for as long [s]
 constexpr double kHopelessEnd = 0.2;                // for one that has been silent anyway [s]
-constexpr double kPassiveEnd = 0.3;                 // for the robot to say that it is Passive [s]
+constexpr double kPassiveEnd = 0.5;                 // for the robot to say that it is Passive [s]
 constexpr double kQuietEnd = 0.2;                   // for the stream to end [s]
 constexpr std::chrono::milliseconds kPatience{10};  // between two looks at what isn't there
 
@@ -28,16 +28,12 @@ RobotModel body_of(const FoundRobot& found, const std::optional<RobotModel>& exp
   return model;
 }
 
-bool obeys(const Frame& frame) {
-  return frame.mode == oi::OiMode::Safe || frame.mode == oi::OiMode::Full;
-}
-
 }  // namespace
 
 /// The session with the robot, and how its link is.
 ///
 /// Alive -> Silent when no frame came for a while: told to stand again and again, and the session is taken up anew with
-/// growing pauses, on a port that is opened anew if it went away; -> Alive with the next frame.
+/// growing pauses, on a port that is opened anew if it went away, and once by waking it; -> Alive with the next frame.
 struct SerialRobot::State {
   State(const SerialAddress& address, const std::optional<RobotModel>& expected, std::stop_token ask_to_stop,
         const SerialRobotParams& given)
@@ -45,7 +41,7 @@ struct SerialRobot::State {
         stop_asked(std::move(ask_to_stop)),
         wire(address),
         found(find_robot(wire.port(), address, expected ? std::optional(expected->protocol) : std::nullopt,
-                         given.connect_timeout, stop_asked)),
+                         given.connect_timeout, given.session, stop_asked)),
         model(body_of(found, expected, given)),
         reconnection({given.first_retry, given.longest_retry, given.give_up}),
         watchdog(given.renewal, [this] {
@@ -68,11 +64,18 @@ struct SerialRobot::State {
     if (!wire.port().low_latency()) remarks.emplace_back("the port's driver may hold bytes back for 16 ms");
   }
 
+  oi::FirmwareQuirks quirks() const {
+    oi::FirmwareQuirks known;
+    known.mode_one_too_high = found.mode_one_too_high;
+    return known;
+  }
+
+  bool listens() const { return params.session == OiRobot::Session::Listen; }
+
   OiRobot& session() {
     if (!robot) {
-      oi::FirmwareQuirks quirks;
-      quirks.mode_one_too_high = found.mode_one_too_high;
-      robot.emplace(wire, model, quirks, params.session);
+      if (listens()) wire.port().discard();  // of the stream that runs: it is to begin now
+      robot.emplace(wire, model, quirks(), params.session);
     } else if (over) {
       robot->restart();
     }
@@ -83,6 +86,8 @@ struct SerialRobot::State {
   void welcome(const Frame& frame) {
     ++frames;
     silent = false;
+    heard = frame.stamp;
+    attempts = 0;
     reconnection.alive(frame.stamp);
   }
 
@@ -91,14 +96,25 @@ struct SerialRobot::State {
     if (!silent) watchdog.rest();  // the robot is told to stand anyway
     silent = true;
     const bool closed = robot->link() == LinkState::Closed;
-    const Reconnection::Step step = reconnection.silent(wire.now());
+    const double now = wire.now();
+    const Reconnection::Step step = reconnection.silent(now);
     if (step == Reconnection::Step::GiveUp || stop_asked.stop_requested()) return false;
+    if (go_on && !go_on(now - heard)) return false;
     if (step == Reconnection::Step::Retry) {
-      if (!closed || wire.reopen()) robot->restart();
+      if (!closed || wire.reopen()) take_up();
     } else if (closed) {
       std::this_thread::sleep_for(kPatience);
     }
     return true;
+  }
+
+  /// Takes the session up with a silent robot. A byte that changed on the way may have become Power (133), which put it
+  /// to sleep: it is woken once a silence, and not before the second attempt, since the first one ends most silences
+  /// and nobody tells the robot to stand while its pin is pulled.
+  void take_up() {
+    ++attempts;
+    if (attempts == 2 && !listens()) wire.pulse_wake();
+    robot->restart();
   }
 
   /// Reads on until `reached` a frame, or `seconds` are over; `ask` is called now and then.
@@ -127,8 +143,8 @@ struct SerialRobot::State {
     };
     const bool hears = robot->link() == LinkState::Alive;
     read_until(hears ? kHaltsEnd : kHopelessEnd, stands, [this] { robot->halt(); });
-    read_until(
-        kPassiveEnd, [](const auto& frame) { return frame && !obeys(*frame); }, [this] { robot->stop(); });
+    robot->stop();
+    robot->confirm_stop(kPassiveEnd);
   }
 
   void end_session() {
@@ -136,9 +152,10 @@ struct SerialRobot::State {
     over = true;
     watchdog.rest();
     if (robot->link() == LinkState::Closed && wire.reopen()) robot->restart();
-    if (params.session == OiRobot::Session::Drive) stand();
-    // A Roomba 400 has no stream to end.
-    if (model.protocol != oi::Model::Roomba400) {
+    if (!listens()) stand();
+    // A Roomba 400 has no stream to end, and what ran before us isn't ours.
+    const bool ours = model.protocol != oi::Model::Roomba400 && !(listens() && found.streamed_before);
+    if (ours) {
       const auto pause_stream = [this] { wire.write(encode(oi::PauseResumeStream{oi::Bounded<0, 1>(0)})); };
       read_until(
           kQuietEnd, [this](const auto& frame) { return !frame && robot->link() == LinkState::Silent; }, pause_stream);
@@ -156,7 +173,10 @@ struct SerialRobot::State {
   Reconnection reconnection;
   std::uint64_t frames = 0;
   bool silent = false;
-  Watchdog watchdog;  // the last member: its thread writes to the wire
+  double heard = wire.now();                  // the last frame, or when it was found [s]
+  std::function<bool(double silence)> go_on;  // to wait; may be nobody
+  int attempts = 0;                           // to take the session up, since the last frame
+  Watchdog watchdog;                          // the last member: its thread writes to the wire
 };
 
 SerialRobot::SerialRobot(const SerialAddress& address, const std::optional<RobotModel>& model, std::stop_token stop,
@@ -196,6 +216,10 @@ void SerialRobot::stop() {
   state_->end_session();
 }
 
+void SerialRobot::while_silent(std::function<bool(double silence)> go_on) {
+  state_->go_on = std::move(go_on);
+}
+
 void SerialRobot::record(std::unique_ptr<RecordingWriter> writer) {
   state_->wire.record(std::move(writer));
 }
@@ -206,6 +230,10 @@ void SerialRobot::close_recording() {
 
 const RobotModel& SerialRobot::model() const {
   return state_->model;
+}
+
+oi::FirmwareQuirks SerialRobot::quirks() const {
+  return state_->quirks();
 }
 
 const std::vector<std::string>& SerialRobot::remarks() const {
@@ -225,10 +253,6 @@ LinkReport SerialRobot::report() const {
   }
   report.watchdog_stops = state_->watchdog.stops();
   return report;
-}
-
-const oi::Sensors& SerialRobot::sensors() const {
-  return state_->session().sensors();
 }
 
 }  // namespace scrubjay

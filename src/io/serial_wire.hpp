@@ -22,6 +22,9 @@ class SerialWire final : public ByteChannel {
   /// Closes the port if it is open, and opens it again; false if that can't be done now.
   bool reopen();
 
+  /// Wakes the robot as SerialPort does, in the reading thread; false if there is no port now, or it has no such lines.
+  bool pulse_wake() { return port_ && port_->pulse_wake(); }
+
   /// The port, which must be there: for the time in which nobody else uses the wire.
   SerialPort& port() { return *port_; }
   /// The rate at which it is opened again.

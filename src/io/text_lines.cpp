@@ -40,7 +40,7 @@ double TextLine::number(std::string_view what) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    fail(fmt::format("field {}: {} is {}; want a number", field_, what, shown(text)));
+    fail_field(fmt::format("{} is {}; want a number", what, shown(text)));
   }
   return value;
 }
@@ -51,13 +51,17 @@ int TextLine::count(std::string_view what) {
   int value = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || value < 0 || value > kMost) {
-    fail(fmt::format("field {}: {} is {}; want a whole number", field_, what, shown(text)));
+    fail_field(fmt::format("{} is {}; want a whole number", what, shown(text)));
   }
   return value;
 }
 
 void TextLine::fail(const std::string& complaint) const {
   throw Error(fmt::format("{}:{}: {}", name_, number_, complaint));
+}
+
+void TextLine::fail_field(const std::string& complaint) const {
+  fail(fmt::format("field {}: {}", field_, complaint));
 }
 
 std::optional<TextLine> TextLines::next() {

@@ -21,6 +21,8 @@ class TextLine {
   int count(std::string_view what);
   /// Throws Error: "name:line: complaint".
   [[noreturn]] void fail(const std::string& complaint) const;
+  /// The same of the word taken last: "name:line: field 3: complaint".
+  [[noreturn]] void fail_field(const std::string& complaint) const;
 
  private:
   const std::string& name_;

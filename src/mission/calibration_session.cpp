@@ -103,7 +103,7 @@ void CalibrationSession::measure(const EndOfDrive& end) {
   logged_.back().measured = end;
   std::vector<MeasuredDrive> measured;
   for (const Logged& drive : logged_) measured.push_back({drive.travel, drive.measured});
-  const auto fit = fit_calibration(measured, robot_.drive);
+  const auto fit = fit_calibration(measured, robot_.drive, {}, fit_.calibration);
   if (!fit) {
     throw Error(std::string(to_string(logged_.back().figure)) +
                 ": no wheels can have ended there; want what was measured in millimetres and degrees");

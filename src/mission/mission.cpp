@@ -15,6 +15,8 @@ std::string_view to_string(Ended ended) {
       return "stuck";
     case Ended::RobotGone:
       return "robot gone";
+    case Ended::EndOfRecording:
+      return "end of the recording";
   }
   return "";
 }
@@ -32,6 +34,8 @@ Report Mission::run(std::stop_token stop) {
     }
     robot_.drive(decision.motion);
   }
+  // Whoever asks to stop while the robot is silent gets no frame any more.
+  if (report_.ended == Ended::RobotGone && stop.stop_requested()) report_.ended = Ended::Stopped;
   robot_.stop();
   const std::span<const Leftover> left = behavior_.leftovers();
   report_.leftovers.assign(left.begin(), left.end());
@@ -39,6 +43,7 @@ Report Mission::run(std::stop_token stop) {
 }
 
 void Mission::count(const Frame& frame, const PoseEstimate& estimate) {
+  ++report_.frames;
   if (!first_stamp_) first_stamp_ = frame.stamp;
   report_.time = frame.stamp - *first_stamp_;
   if (frame.odometry) {

@@ -38,26 +38,34 @@ std::unique_ptr<Behavior> make_within(const StrategySetting& setting) {
   }
 }
 
+/// What else it can be told.
+enum class Heeds : std::uint8_t {
+  Nothing,       ///< it goes on for ever
+  ReturnHome,    ///< it ends, and can drive home then
+  BoundsAsWell,  ///< it plans, and keeps to bounds
+};
+
 struct Row {
   std::string_view name;
   Wants wants;
+  Heeds heeds;
   Make make;
 };
 
 constexpr std::array<Row, 10> kStrategies{{
-    {"random-2", Wants::Bumper, make<Random2>},
-    {"random-3", Wants::Bumper, make<Random3>},
-    {"random-look", Wants::Bumper, make<RandomLook>},
-    {"random-aware", Wants::Bumper, make<RandomAware>},
-    {"reactive", Wants::Bumper,
+    {"random-2", Wants::Bumper, Heeds::Nothing, make<Random2>},
+    {"random-3", Wants::Bumper, Heeds::Nothing, make<Random3>},
+    {"random-look", Wants::Bumper, Heeds::Nothing, make<RandomLook>},
+    {"random-aware", Wants::Bumper, Heeds::Nothing, make<RandomAware>},
+    {"reactive", Wants::Bumper, Heeds::Nothing,
      [](const StrategySetting& setting) -> std::unique_ptr<Behavior> {
        return std::make_unique<Reactive>(setting.robot);
      }},
-    {"wander", Wants::Anything, make<Wander>},
-    {"edge-follow", Wants::Bumper, make<EdgeFollow>},
-    {"contact-frontier", Wants::Bumper, make_within<ContactFrontier, ContactFrontierParams>},
-    {"tiles", Wants::Lidar, make_within<TileExplorer, TileExplorerParams>},
-    {"frontiers", Wants::Lidar, make_within<FrontierExplorer, FrontierExplorerParams>},
+    {"wander", Wants::Anything, Heeds::Nothing, make<Wander>},
+    {"edge-follow", Wants::Bumper, Heeds::ReturnHome, make<EdgeFollow>},
+    {"contact-frontier", Wants::Bumper, Heeds::BoundsAsWell, make_within<ContactFrontier, ContactFrontierParams>},
+    {"tiles", Wants::Lidar, Heeds::BoundsAsWell, make_within<TileExplorer, TileExplorerParams>},
+    {"frontiers", Wants::Lidar, Heeds::BoundsAsWell, make_within<FrontierExplorer, FrontierExplorerParams>},
 }};
 
 bool suits(const Row& row, const RobotModel& robot) {
@@ -76,6 +84,20 @@ std::string listed(const std::vector<std::string_view>& names) {
   std::string text;
   for (const std::string_view name : names) text.append(text.empty() ? "" : ", ").append(name);
   return text;
+}
+
+/// Throws Error for what the strategy would leave undone.
+void expect_heed(const Row& row, const StrategySetting& setting) {
+  const auto refuse = [&](Heeds least, const char* what) {
+    if (row.heeds >= least) return;
+    std::vector<std::string_view> able;
+    for (const Row& other : kStrategies) {
+      if (other.heeds >= least && suits(other, setting.robot)) able.push_back(other.name);
+    }
+    throw Error("strategy '" + std::string(row.name) + "' " + what + " (those that can: " + listed(able) + ")");
+  };
+  if (setting.within) refuse(Heeds::BoundsAsWell, "plans nothing, and can't stay within bounds");
+  if (setting.return_home) refuse(Heeds::ReturnHome, "never ends, and can't return home");
 }
 
 }  // namespace
@@ -108,6 +130,7 @@ std::unique_ptr<Behavior> make_strategy(std::string_view name, const StrategySet
     throw Error("strategy '" + std::string(name) + "' wants " + (row->wants == Wants::Lidar ? "a lidar" : "a bumper") +
                 ", which this robot hasn't (it can do: " + listed(strategy_names(setting.robot)) + ")");
   }
+  expect_heed(*row, setting);
   std::unique_ptr<Behavior> strategy = row->make(setting);
   if (!setting.return_home) return strategy;
   return std::make_unique<ReturnHome>(setting.robot, std::move(strategy));

@@ -10,6 +10,7 @@ namespace {
 using Factors = Eigen::Vector3d;  // left, right, axle
 
 constexpr int kMaxSteps = 30;
+constexpr int kMaxHalvings = 10;
 constexpr double kSettled = 1e-6;  // a step by less ends the search; no robot is that constant
 constexpr double kDelta = 1e-6;    // of the difference quotients
 
@@ -119,17 +120,21 @@ EndOfDrive end_of(std::span<const WheelTravel> travel, const DifferentialDrive& 
 }
 
 std::optional<CalibrationFit> fit_calibration(std::span<const MeasuredDrive> drives, const DifferentialDrive& drive,
-                                              const CalibrationFitParams& params) {
+                                              const CalibrationFitParams& params, const Calibration& start) {
   const Objective objective(drive, params);
-  Factors factors = Factors::Ones();
+  Factors factors(start.left, start.right, start.axle);
   for (int i = 0; i < kMaxSteps; ++i) {
     const Normal normal = objective.at(drives, factors);
-    const Factors step = normal.information.llt().solve(normal.gradient);
+    Factors step = normal.information.llt().solve(normal.gradient);
+    if (step.norm() <= kSettled) {
+      const Factors deviation = normal.information.inverse().diagonal().cwiseSqrt();
+      return CalibrationFit{as_calibration(factors + step), as_calibration(deviation)};
+    }
+    // An end swings round with the turns before it: a step may go far beyond what the slope is good for.
+    for (int halvings = 0; !plausible(factors + step); ++halvings, step *= 0.5) {
+      if (halvings == kMaxHalvings) return std::nullopt;
+    }
     factors += step;
-    if (!plausible(factors)) return std::nullopt;
-    if (step.norm() > kSettled) continue;
-    const Factors deviation = normal.information.inverse().diagonal().cwiseSqrt();
-    return CalibrationFit{as_calibration(factors), as_calibration(deviation)};
   }
   return std::nullopt;
 }

@@ -33,6 +33,7 @@ Frame FrameMaker::make(const oi::Sensors& s, double stamp, double elapsed, const
   } else {
     measure(frame, s, elapsed, told);
   }
+  begun_ = true;
   const oi::BumpsAndWheelDrops shell = oi::bumps_and_wheel_drops(s);
   frame.bump_left = shell.bump_left;
   frame.bump_right = shell.bump_right;
@@ -96,11 +97,10 @@ void FrameMaker::measure(Frame& frame, const oi::Sensors& sensors, double elapse
   const double left = distance - half_turn;
   const double right = distance + half_turn;
   // The first reading counts from whenever the robot was last asked, as an encoder's does.
-  if (measures_ && credible(left, elapsed, told.left) && credible(right, elapsed, told.right)) {
+  if (begun_ && credible(left, elapsed, told.left) && credible(right, elapsed, told.right)) {
     frame.left_travel = left;
     frame.right_travel = right;
   }
-  measures_ = true;
 }
 
 void FrameMaker::count_encoders(Frame& frame, const oi::Sensors& sensors, double elapsed, const ToldSpeeds& told) {
@@ -110,7 +110,7 @@ void FrameMaker::count_encoders(Frame& frame, const oi::Sensors& sensors, double
   constexpr int kAnyStep = 32767;
   const double left = per_count * left_encoder_.advance(static_cast<std::uint16_t>(counts.left), kAnyStep);
   const double right = per_count * right_encoder_.advance(static_cast<std::uint16_t>(counts.right), kAnyStep);
-  if (elapsed >= kRestart && is_fresh(counts.left) && is_fresh(counts.right)) {
+  if (begun_ && elapsed >= kRestart && is_fresh(counts.left) && is_fresh(counts.right)) {
     // What they counted since is way, mostly of rolling out.
     left_before_ = right_before_ = {};
     frame.left_travel = per_count * counts.left;

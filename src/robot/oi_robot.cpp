@@ -9,7 +9,7 @@ namespace {
 using oi::PacketId;
 
 constexpr double kRetryInterval = 0.25;  // between attempts to take control again [s]
-constexpr double kReplyTimeout = 0.05;   // a reply that isn't whole by then has lost a byte [s]
+constexpr double kReplyTimeout = 0.04;   // a reply that isn't whole by then has lost a byte [s]
 
 constexpr double kRenewal = 0.03;        // between two tellings of the same motion: every other tick [s]
 constexpr double kSurePassive = 0.1;     // a robot that says so for as long is in Passive mode, and stays there [s]
@@ -18,10 +18,6 @@ constexpr int kUnknownSpeed = 1 << 16;   // no speed that could be wanted [mm/s]
 
 /// No commands, one by one; data enough for the longest list that a damaged command may have become.
 constexpr std::array<std::uint8_t, 256> kZeros{};
-
-std::uint8_t payload_size(oi::Model model) {
-  return static_cast<std::uint8_t>(oi::all_packets(model).bytes() + 1);
-}
 
 int to_millimetres(double speed, double max_speed) {
   const double limited = std::clamp(speed, -max_speed, max_speed) * 1000.0;
@@ -56,14 +52,14 @@ OiRobot::OiRobot(ByteChannel& channel, const RobotModel& model, const oi::Firmwa
     : channel_(channel),
       model_(model),
       session_(session),
-      parser_(model.protocol, payload_size(model.protocol)),
+      parser_(model.protocol, oi::payload_of_all(model.protocol)),
       reply_(model.protocol),
       frame_maker_(model, quirks) {
-  begin_session();
+  if (!listens()) begin_session();
 }
 
 void OiRobot::begin_session() {
-  send(oi::Start{});
+  if (!listens()) send(oi::Start{});  // which ends Safe and Full mode
   if (!streams()) {
     // From Passive to Safe; Safe itself leads down from Full only (Roomba SCI).
     if (!listens()) send(oi::Control{});
@@ -71,8 +67,7 @@ void OiRobot::begin_session() {
     return;
   }
   if (!listens()) send(oi::Safe{});
-  const oi::SensorId id = oi::all_packets(model_.protocol);
-  if (const auto ids = oi::FixedList<oi::SensorId, 0, 255>::of({&id, 1})) send(oi::Stream{*ids});
+  send(oi::stream_of_all(model_.protocol));
 }
 
 void OiRobot::restart() {
@@ -248,6 +243,7 @@ void OiRobot::stop() {
 }
 
 bool OiRobot::confirm_stop(double patience) {
+  if (!streams()) return false;
   const double begin = stamp_;
   double sent = stamp_;
   double passive_since = stamp_;

@@ -100,8 +100,10 @@ TEST_F(CalibrateTest, RefusesWhatItCannotDo) {
   expect_refused(calibrate({"--turns", "0"}), 2, "--turns is 0; want 1 to 50");
   expect_refused(calibrate({"--repeat", "0"}), 2, "--repeat is 0; want 1 to 100");
   expect_refused(calibrate({"--date", "today"}), 2, "--date is 'today'");
-  expect_refused(calibrate({"--model", "turtlebot3-burger"}), 2, "turtlebot3-burger hasn't");
+  expect_refused(calibrate({"--model", "turtlebot3-burger"}), 2,
+                 "turtlebot3-burger, which doesn't speak the Open Interface");
   expect_refused(calibrate({"--measured", "3"}), 2, "--measured");
+  expect_refused(calibrate({"--out", "nowhere/c.yaml"}), 1, "nowhere/c.yaml: cannot write");
   expect_refused(calibrate({"--side", "6"}), 1, "square-left: something is in the way");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "calibration.yaml"));
 

@@ -2,13 +2,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <csignal>
 #include <fstream>
-#include <io/temporary_folder.hpp>
-#include <nlohmann/json.hpp>
 #include <set>
 
-#include "command_line.hpp"
+#include "emulate_fixture.hpp"
 #include "pty_client.hpp"
 
 namespace scrubjay {
@@ -18,27 +15,6 @@ using testing::HasSubstr;
 
 constexpr std::uint8_t kMode = 35;
 constexpr double kMillimetresPerCount = 0.444565;
-
-/// A robot in the middle of a room, behind LINK in a folder of its own; at many times real time.
-class EmulateTest : public testing::Test {
- protected:
-  Call start(const Words& flags, const Surroundings& surroundings = {}) const {
-    Words words{"emulate", own_world("room"), "--pty", link(), "--json", "--speed", "20"};
-    words.insert(words.end(), flags.begin(), flags.end());
-    return Call(words, surroundings);
-  }
-  std::string link() const { return (folder_ / "robot").string(); }
-
-  /// Ends it, and gives its account.
-  static nlohmann::json end(Call& call, int signal = SIGTERM) {
-    call.send(signal);
-    const Outcome outcome = call.wait();
-    EXPECT_EQ(outcome.code, 0) << outcome.signal << outcome.err;
-    return nlohmann::json::parse(outcome.out);
-  }
-
-  TemporaryFolder folder_;
-};
 
 /// Counts that the left wheel turned from one reading to another.
 int counted(int from, int to) {

@@ -86,6 +86,25 @@ TEST_F(KilledRunTest, LeavesARecordingThatCanBeReplayedAndTheOlderOneBesideIt) {
   EXPECT_GT(metrics_of(folder_ / "again").at("simulated_time_s"), 30.0);
 }
 
+TEST_F(KilledRunTest, LeavesAWholeRecordingBesideItHoweverOftenItIsKilled) {
+  const std::filesystem::path recording = folder_ / "run.oilog";
+  ASSERT_EQ(scrubjay(explore("1", "30", "out")).code, 0);
+  const std::string whole = content_of(recording);
+  for (int i = 0; i < 3; ++i) {
+    SCOPED_TRACE(i);
+    const std::string before = content_of(recording).substr(0, 1000);
+    Call call(explore(std::to_string(i + 2), "10000000", "out"));
+    while (content_of(recording).starts_with(before) || content_of(recording).size() < 50'000) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    call.send(SIGKILL);
+    EXPECT_EQ(call.wait().signal, SIGKILL);
+    EXPECT_TRUE(content_of(folder_ / "run.oilog~") == whole);
+  }
+  ASSERT_EQ(scrubjay(explore("9", "30", "out")).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "run.oilog~")) << "the new one is whole";
+}
+
 /// Both ways of asking a run to stop, and both paces of one.
 class StoppedRunTest : public testing::TestWithParam<std::tuple<int, std::string>> {};
 
@@ -112,6 +131,7 @@ TEST_P(StoppedRunTest, LeavesCompleteResultsOfTheRunSoFar) {
   EXPECT_GT(metrics.at("simulated_time_s"), 1.0);
 
   EXPECT_EQ(scrubjay({"replay", log, "--quiet", "--out", (folder / "again").string()}).code, 0);
+  EXPECT_EQ(metrics_of(folder / "again").at("ended"), "stopped");
   EXPECT_EQ(content_of(folder / "again/map.pgm"), content_of(folder / "out/map.pgm"));
   EXPECT_EQ(content_of(folder / "again/trajectory.tum"), content_of(folder / "out/trajectory.tum"));
 }

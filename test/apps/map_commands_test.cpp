@@ -77,6 +77,17 @@ TEST_F(MapCommandsTest, InfoKnowsEveryFileOfARun) {
   EXPECT_THAT(info(SCRUBJAY_SOURCE_DIR "/urdf/roomba_600.urdf"), HasSubstr(": URDF robot\n"));
 }
 
+TEST_F(MapCommandsTest, InfoKnowsTreesAndCalibrations) {
+  ASSERT_EQ(call({"explore", world_, "--max-time", "10", "--out", "run", "--octomap", "map.bt"}).code, 0);
+  EXPECT_THAT(info("map.bt"), testing::MatchesRegex("map.bt: OctoMap tree\nvoxels: 0.05 m\nnodes: [1-9][0-9]+\n"));
+  folder_.write("wheels.yaml",
+                "model: create-1\nleft: 1.01\nright: 0.99\naxle: 1.02\n"
+                "deviation: {left: 0.001, right: 0.002, axle: 0.003}\ndate: 2026-03-31\n");
+  EXPECT_EQ(info("wheels.yaml"),
+            "wheels.yaml: calibration\nmodel: create-1\nleft wheel: 1.0100 +- 0.0010\n"
+            "right wheel: 0.9900 +- 0.0020\naxle: 1.0200 +- 0.0030\ndrives: 0\ndate: 2026-03-31\n");
+}
+
 TEST_F(MapCommandsTest, InfoTellsThatARecordingIsCut) {
   const std::string whole = content_of(folder_ / "run.oilog");
   folder_.write("cut.oilog", whole.substr(0, whole.size() / 2));

@@ -85,8 +85,9 @@ TEST_F(CutRecordingTest, IsReplayedUpToTheCutOrRefusedInOneLine) {
       EXPECT_TRUE(contents_of(folder_ / out).contains("metrics.json"));
       EXPECT_LE(metrics_of(folder_ / out).at("simulated_time_s"), metrics_of(folder_ / "live").at("simulated_time_s"));
     } else {
-      EXPECT_EQ(outcome.code, 2);
-      EXPECT_FALSE(std::filesystem::exists(folder_ / out));
+      const bool has_scenario = outcome.err.find("before its first whole frame") != std::string::npos;
+      EXPECT_EQ(outcome.code, has_scenario ? 1 : 2);
+      EXPECT_FALSE(std::filesystem::exists(folder_ / out / "metrics.json"));
     }
   }
   EXPECT_GE(replayed, 15);
@@ -112,10 +113,34 @@ TEST_F(CutRecordingTest, IsReplayedWithoutItsWorld) {
                         {"explore", "here.yaml", "--max-time", "30", "--out", "live", "--record", "run.oilog"})
                 .code,
             0);
+  const auto expect_unscored = [&](const Words& words, const std::string& why) {
+    const Outcome outcome = scrubjay_in(folder_.path(), words);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_TRUE(is_one_line(outcome.err)) << outcome.err;
+    EXPECT_THAT(outcome.err, testing::AllOf(HasSubstr("run.oilog: replayed without scores: "), HasSubstr(why)));
+    EXPECT_EQ(content_of(folder_ / "out/map.pgm"), content_of(folder_ / "live/map.pgm"));
+    EXPECT_FALSE(metrics_of(folder_ / "out").contains("coverage")) << "there is no truth to score against";
+  };
+  const Words replayed{"replay", "run.oilog", "--out", "out"};
+  const Words explored{"explore", "--robot", "log:run.oilog", "--out", "out"};
+  folder_.write("here.yaml", "walls: 3\n");
+  expect_unscored(replayed, "here.yaml:1");
   std::filesystem::remove(folder_ / "here.yaml");
-  EXPECT_EQ(replay("run.oilog", "out").code, 0);
-  EXPECT_EQ(content_of(folder_ / "out/map.pgm"), content_of(folder_ / "live/map.pgm"));
-  EXPECT_FALSE(metrics_of(folder_ / "out").contains("coverage")) << "there is no truth to score against";
+  expect_unscored(replayed, "here.yaml: cannot read");
+  expect_unscored(explored, "here.yaml: cannot read");
+}
+
+TEST_F(CutRecordingTest, IsReplayedByExploreWithTheSameWordsAndScores) {
+  record({"edge-follow", "none", "roomba-600"}, "60");
+  const std::string whole = content_of(folder_ / "run.oilog");
+  folder_.write("cut.oilog", whole.substr(0, whole.size() / 2));
+  const Outcome outcome = replay("cut.oilog", "out");
+  const Outcome explored = scrubjay_in(folder_.path(), {"explore", "--robot", "log:cut.oilog", "--out", "out"});
+  EXPECT_EQ(explored.code, 0);
+  EXPECT_TRUE(is_one_line(explored.err)) << explored.err;
+  EXPECT_EQ(explored.err, outcome.err);
+  EXPECT_EQ(explored.out, outcome.out);
+  EXPECT_THAT(explored.out, testing::AllOf(testing::StartsWith("end of the recording after "), HasSubstr("coverage")));
 }
 
 }  // namespace

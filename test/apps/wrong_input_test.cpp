@@ -118,6 +118,29 @@ TEST_F(WrongInputTest, NamesTheSensesThatAreMissing) {
   expect_refusal({"compare", world, "--strategies", "tiles"}, kWrong, "strategy 'tiles' wants a lidar");
 }
 
+TEST_F(WrongInputTest, RefusesWhatWouldChangeNothing) {
+  const std::string world = own_world("room");
+  const auto refuse = [&](const Words& more, const std::string& what) {
+    Words words{"explore", world};
+    words.insert(words.end(), more.begin(), more.end());
+    expect_refusal(words, kWrong, what);
+  };
+  refuse({"--strategy", "random-2", "--within", "-1,-1,1,1"}, "'random-2' plans nothing, and can't stay within bounds");
+  refuse({"--strategy", "reactive", "--return-home"}, "'reactive' never ends, and can't return home");
+  refuse({"--motion-distortion"}, "--motion-distortion wants a lidar, which roomba-600 hasn't");
+  refuse({"--forward-cone", "30"}, "--forward-cone wants a lidar");
+  refuse({"--robot-radius", "0.2"}, "--robot-radius wants a lidar");
+}
+
+TEST_F(WrongInputTest, RefusesTheCalibrationOfAnotherThanTheRunsRobot) {
+  const std::string file = folder_.write("one.yaml", "model: create-1\nleft: 1\nright: 1\naxle: 1\n").string();
+  before_ = contents_of(folder_.path());
+  expect_bad_flag("--calibration", file, "one.yaml: the calibration of a create-1, but the robot is a roomba-600");
+  const Outcome outcome = scrubjay_in(
+      folder_.path(), {"explore", own_world("room"), "--model", "create-1", "--calibration", file, "--max-time", "1"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 TEST_F(WrongInputTest, RefusesNumbersThatAreNoneOrOutOfRange) {
   for (const char* text : {"x", "1x", "-1", "nan", ""}) expect_bad_flag("--speed", text, "--speed");
   for (const char* text : {"-1", "1.5", "x", "1e3", "18446744073709551616", "0x10"})

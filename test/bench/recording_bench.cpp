@@ -15,7 +15,7 @@ void change(std::array<std::uint8_t, 84>& frame, std::size_t changing, std::uint
 }
 
 /// What recording a frame costs, files included.
-void BM_RecordFrame(benchmark::State& state) {
+void RecordFrame(benchmark::State& state) {
   const auto path = std::filesystem::temp_directory_path() / "scrubjay-recording-bench.oilog";
   const auto changing = static_cast<std::size_t>(state.range(0));
   std::array<std::uint8_t, 84> frame{};
@@ -31,9 +31,9 @@ void BM_RecordFrame(benchmark::State& state) {
   state.counters["bytes/frame"] = static_cast<double>(std::filesystem::file_size(path)) / tick;
   std::filesystem::remove(path);
 }
-BENCHMARK(BM_RecordFrame)->Arg(1)->Arg(10)->Arg(28)->Arg(84);
+BENCHMARK(RecordFrame)->Arg(1)->Arg(10)->Arg(28)->Arg(84);
 
-void BM_ReadFrame(benchmark::State& state) {
+void ReadFrame(benchmark::State& state) {
   const auto path = std::filesystem::temp_directory_path() / "scrubjay-recording-bench.oilog";
   constexpr std::uint32_t kFrames = 20000;
   {
@@ -52,7 +52,7 @@ void BM_ReadFrame(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * kFrames);
   std::filesystem::remove(path);
 }
-BENCHMARK(BM_ReadFrame);
+BENCHMARK(ReadFrame);
 
 }  // namespace
 }  // namespace scrubjay

@@ -67,7 +67,7 @@ struct Wire {
 };
 
 /// Frames as fast as they go, of which the argument says how many are written at once.
-void BM_SerialStreamFlatOut(benchmark::State& state) {
+void SerialStreamFlatOut(benchmark::State& state) {
   Wire wire;
   std::vector<std::uint8_t> burst;
   for (std::int64_t i = 0; i < state.range(0); ++i) {
@@ -94,13 +94,16 @@ void BM_SerialStreamFlatOut(benchmark::State& state) {
     wire.read([](const oi::StreamFrame&) {});
   } while (wire.parser.counters().frames != last || wire.parser.pending() > 0);
 }
-BENCHMARK(BM_SerialStreamFlatOut)->Arg(1)->Arg(40)->UseRealTime();
+BENCHMARK(SerialStreamFlatOut)->Arg(1)->Arg(40)->UseRealTime();
 
-/// From the write at the robot's end to the parsed frame in another thread; the argument is the pause between two
-/// frames [us]. The time an iteration takes has no meaning but in the counters, p50 and p99 [us].
-void BM_SerialLatency(benchmark::State& state) {
+/// From the write at the robot's end to the parsed frame in another thread. The arguments are the pause between two
+/// frames [us], and the pieces in which a frame comes, one a millisecond, as from an FTDI adapter told to be quick; the
+/// last one counts. The time an iteration takes has no meaning but in the counters, p50 and p99 [us].
+void SerialLatency(benchmark::State& state) {
   Wire wire;
   const auto frame = some_frame();
+  const auto piece =
+      (kFrameSize + static_cast<std::size_t>(state.range(1)) - 1) / static_cast<std::size_t>(state.range(1));
   std::atomic<std::int64_t> arrived = 0;  // when, by the clock's ticks
   std::jthread reader([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
@@ -114,8 +117,13 @@ void BM_SerialLatency(benchmark::State& state) {
   for ([[maybe_unused]] const auto& _ : state) {
     std::this_thread::sleep_for(std::chrono::microseconds(state.range(0)));
     const std::int64_t before = arrived;
+    std::span<const std::uint8_t> rest(frame);
+    for (; rest.size() > piece; rest = rest.subspan(piece)) {
+      wire.push(rest.first(piece));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     const Clock::time_point sent = Clock::now();
-    wire.push(frame);
+    wire.push(rest);
     arrived.wait(before);
     const Clock::duration latency = Clock::duration(arrived) - sent.time_since_epoch();
     latencies.push_back(std::chrono::duration<double>(latency).count());
@@ -128,8 +136,9 @@ void BM_SerialLatency(benchmark::State& state) {
   state.counters["p99"] = 1e6 * latencies[latencies.size() * 99 / 100];
   state.counters["calls/frame"] = wire.calls_per_frame();
 }
-BENCHMARK(BM_SerialLatency)->Arg(0)->Iterations(20000)->UseManualTime();
-BENCHMARK(BM_SerialLatency)->Arg(15000)->Iterations(300)->UseManualTime();
+BENCHMARK(SerialLatency)->Args({0, 1})->Iterations(20000)->UseManualTime();
+BENCHMARK(SerialLatency)->Args({15000, 1})->Iterations(300)->UseManualTime();
+BENCHMARK(SerialLatency)->Args({7000, 8})->Iterations(300)->UseManualTime();
 
 }  // namespace
 }  // namespace scrubjay

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <robot/scripted_channel.hpp>
@@ -88,6 +89,62 @@ TEST(ScrubjayCTest, StandsWhileTheRobotIsSilent) {
   feed(mission, stream_frame(at_rest()), 0.2);
   EXPECT_EQ(scrubjay_get_link(mission), SCRUBJAY_LINK_ALIVE);
   EXPECT_EQ(scrubjay_get_motion(mission).linear, 0.1);
+}
+
+/// Times that the session was begun, by what was sent.
+int sessions_in(const Bytes& sent) {
+  const Bytes begin{128, 131, 148, 1, 100};
+  int count = 0;
+  for (auto at = sent.begin(); (at = std::search(at, sent.end(), begin.begin(), begin.end())) != sent.end(); ++at) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(ScrubjayCTest, StartsASilentRobotAnewAsLongAsItIsSilent) {
+  ClientWire wire{};
+  scrubjay_mission* mission = client_create(&wire);
+  feed(mission, stream_frame(counted(100, 100)), 0.0);
+  take_sent(wire);
+  double now = 0.0;
+  const auto sessions_until = [&](double end) {
+    int sessions = 0;
+    for (; now < end; now += 0.015) {
+      feed(mission, {}, now);
+      sessions += sessions_in(take_sent(wire));
+    }
+    return sessions;
+  };
+  EXPECT_EQ(sessions_until(0.06), 0);
+  EXPECT_GE(sessions_until(5.0), 3);
+  EXPECT_GE(sessions_until(300.0), 140);  // it never gives up
+  EXPECT_LE(sessions_until(400.0), 50);   // nor does it hurry
+  feed(mission, stream_frame(counted(0, 0)), now);
+  EXPECT_EQ(scrubjay_get_link(mission), SCRUBJAY_LINK_ALIVE);
+  EXPECT_EQ(scrubjay_get_motion(mission).linear, 0.1);
+  EXPECT_NEAR(scrubjay_get_pose(mission).x, 0.0, 0.001);  // counters began anew, the pose didn't
+}
+
+TEST(ScrubjayCTest, LeavesASilentRobotAloneOnceItWasStopped) {
+  ClientWire wire{};
+  scrubjay_mission* mission = client_create(&wire);
+  feed(mission, stream_frame(at_rest()), 0.0);
+  scrubjay_stop(mission);
+  take_sent(wire);
+  for (int i = 1; i <= 400; ++i) feed(mission, {}, 0.015 * i);
+  EXPECT_EQ(sessions_in(take_sent(wire)), 0);
+}
+
+TEST(ScrubjayCTest, TriesAgainOnceItCanSend) {
+  ClientWire wire{};
+  scrubjay_mission* mission = client_create(&wire);
+  wire.gone = 1;
+  for (int i = 0; i < 100; ++i) feed(mission, {}, 0.015 * i);
+  EXPECT_EQ(scrubjay_get_link(mission), SCRUBJAY_LINK_CLOSED);
+  take_sent(wire);
+  wire.gone = 0;
+  for (int i = 100; i < 400; ++i) feed(mission, {}, 0.015 * i);
+  EXPECT_GE(sessions_in(take_sent(wire)), 1);
 }
 
 TEST(ScrubjayCTest, StandsWhenNothingCanBeSent) {

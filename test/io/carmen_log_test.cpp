@@ -164,6 +164,17 @@ TEST(CarmenLogTest, SaysWhereALogIsWrong) {
   EXPECT_EQ(complaint(""), "a.log: no FLASER record; want a CARMEN log with scans");
 }
 
+TEST(CarmenLogTest, RefusesPosesBeyondAnyBuildingAndStampsBeyondAnyClock) {
+  EXPECT_EQ(complaint("FLASER 2 1 1 1e300 0 0 0 0 0 1 h 1\n"), "a.log:1: field 5: x is 1e+300; want -1000 to 1000");
+  EXPECT_EQ(complaint("FLASER 2 1 1 0 0 0 0 -1001 0 1 h 1\n"), "a.log:1: field 9: odom_y is -1001; want -1000 to 1000");
+  EXPECT_THAT(complaint("FLASER 2 1 1 0 0 1e300 0 0 0 1 h 1\n"), HasSubstr("field 7: theta is 1e+300; want"));
+  EXPECT_THAT(complaint("FLASER 2 1 1 0 0 0 0 0 0 1e300 h 1\n"), HasSubstr("field 11: stamp is 1e+300; want"));
+  EXPECT_THAT(complaint(log_of_beams(4) + "ODOM 1 -1e9 3 4 5 6 7 h 1\n"), HasSubstr("a.log:2: field 3: y is -1e+09"));
+  EXPECT_THAT(complaint(log_of_beams(4) + "ODOM 1 2 3 4 5 6 -1e12 h 1\n"),
+              HasSubstr("field 8: stamp is -1e+12; want -1e+11 to 1e+11"));
+  EXPECT_THAT(complaint("PARAM robot_frontlaser_offset 1e300 h 1\n"), HasSubstr("robot_frontlaser_offset is 1e+300"));
+}
+
 TEST(CarmenLogTest, SaysThatAPackedFileIsCutOrDamaged) {
   const std::vector<std::uint8_t> whole = packed(kCorrected);
   for (std::size_t size = 2; size < whole.size(); ++size) {

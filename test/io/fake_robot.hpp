@@ -46,6 +46,20 @@ class FakeRobot {
   void speak_again() { silent_ = false; }
   /// Speaks, but hears nothing.
   void turn_deaf(bool deaf) { deaf_ = deaf; }
+  /// Hears a Power command, which nobody meant.
+  void hear_power() {
+    const std::scoped_lock lock(mutex_);
+    firmware_->receive(encode(oi::Power{}));
+  }
+  /// Hears what another client says.
+  void hear(const oi::Command& command) {
+    const std::scoped_lock lock(mutex_);
+    firmware_->receive(encode(command));
+  }
+  void pulse_brc() {
+    const std::scoped_lock lock(mutex_);
+    firmware_->pulse_brc();
+  }
   /// The device is unplugged, and plugged in again.
   void go_away() {
     const std::scoped_lock lock(mutex_);
@@ -77,6 +91,11 @@ class FakeRobot {
     const std::scoped_lock lock(mutex_);
     return senses_.left_rolled;
   }
+  /// Bytes that came by the wire.
+  std::uint64_t heard() const {
+    const std::scoped_lock lock(mutex_);
+    return heard_;
+  }
   std::uint64_t frames_sent() const {
     const std::scoped_lock lock(mutex_);
     return frames_sent_;
@@ -98,6 +117,7 @@ class FakeRobot {
   void tick() {
     std::array<std::uint8_t, 4096> heard;
     const std::size_t count = terminal_ ? terminal_->read(heard).count : 0;
+    heard_ += count;
     const bool understood = !silent_ && right_rate();
     if (understood && !deaf_ && traits_.chatter.empty()) firmware_->receive(std::span(heard).first(count));
     const sim::WheelSpeeds wanted = firmware_->wanted();
@@ -125,6 +145,7 @@ class FakeRobot {
   std::unique_ptr<PseudoTerminal> terminal_;
   std::optional<sim::Firmware> firmware_;
   sim::BodySenses senses_;
+  std::uint64_t heard_ = 0;
   std::uint64_t frames_sent_ = 0;
   std::jthread thread_;
 };

@@ -4,6 +4,7 @@
 #include <mission/fakes.hpp>
 #include <scrubjay/io/key_drive.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace scrubjay {
 namespace {
@@ -196,6 +197,33 @@ TEST_F(DriveLoopTest, ForgetsKeysThatWerePressedWhileTheRobotWasSilent) {
   EXPECT_EQ(robot.motions[20].linear, 0.0);
   EXPECT_EQ(robot.motions[29].linear, 0.0);
   EXPECT_EQ(robot.motions[30].linear, -0.1);
+}
+
+TEST_F(DriveLoopTest, EndsByKeyWhileTheRobotIsSilent) {
+  const auto once = [](char character) {
+    return [character, given = false]() mutable -> std::optional<std::vector<Key>> {
+      return std::exchange(given, true) ? std::vector<Key>{} : std::vector<Key>{letter(character)};
+    };
+  };
+  KeyDriver moving;
+  moving.press(letter('w'), 0.0);
+  EXPECT_TRUE(heed_keys_in_silence(moving, once('w')));
+  EXPECT_EQ(moving.motion(at(0.0)), Motion{}) << "drives on when the robot is heard again";
+  EXPECT_TRUE(heed_keys_in_silence(moving, once('+')));
+  EXPECT_NEAR(moving.speed(), 0.6, 1e-12);
+  EXPECT_FALSE(heed_keys_in_silence(driver_, [] { return std::nullopt; }));
+
+  EXPECT_FALSE(heed_keys_in_silence(driver_, once('q')));
+  test::FakeRobot gone(0);
+  EXPECT_EQ(drive(gone), DriveEnd::Quit);
+  EXPECT_EQ(gone.stops, 1);
+}
+
+TEST_F(DriveLoopTest, TellsAKeyboardThatIsGoneFromARobotThatIs) {
+  test::FakeRobot gone(0);
+  EXPECT_EQ(drive(gone), DriveEnd::RobotGone);
+  unplugged_ = frame_;
+  EXPECT_EQ(drive(gone), DriveEnd::KeyboardGone);
 }
 
 TEST_F(DriveLoopTest, QuitsEvenByAKeyThatWasPressedInASilence) {

@@ -242,10 +242,30 @@ TEST_F(PseudoTerminalTest, ReplacesALinkToNowhere) {
   EXPECT_EQ(folder_.file_count(), 1U);
 }
 
-TEST_F(PseudoTerminalTest, ReplacesALinkToAPseudoTerminalAndLeavesTheNewOneAlone) {
-  std::optional<PseudoTerminal> older(std::in_place, link_);
+TEST_F(PseudoTerminalTest, RefusesToReplaceALinkToAPseudoTerminalThatLives) {
+  const PseudoTerminal older(link_);
+  const std::string message = message_of([&] { PseudoTerminal newer(link_); });
+  EXPECT_NE(message.find(link_.string() + ": leads to " + older.device().string()), std::string::npos) << message;
+  EXPECT_NE(message.find("in use"), std::string::npos) << message;
+  EXPECT_EQ(fs::read_symlink(link_), older.device());
+  EXPECT_EQ(folder_.file_count(), 1U);
+}
+
+TEST_F(PseudoTerminalTest, ReplacesALinkToAPseudoTerminalThatIsGone) {
+  fs::path gone;
+  {
+    const PseudoTerminal older(folder_ / "older");
+    gone = older.device();
+  }
+  fs::create_symlink(gone, link_);  // its number may be the next one's
   const PseudoTerminal newer(link_);
   EXPECT_EQ(fs::read_symlink(link_), newer.device());
+}
+
+TEST_F(PseudoTerminalTest, LeavesALinkAloneThatSomebodyElseHasReplaced) {
+  std::optional<PseudoTerminal> older(std::in_place, link_);
+  fs::remove(link_);
+  const PseudoTerminal newer(link_);
   older.reset();
   EXPECT_EQ(fs::read_symlink(link_), newer.device());
 }

@@ -5,11 +5,12 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <deque>
 #include <io/temporary_folder.hpp>
 #include <random>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/recording.hpp>
+
+#include "recorded_chunks.hpp"
 
 namespace scrubjay {
 namespace {
@@ -17,35 +18,11 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-using Bytes = std::vector<std::uint8_t>;
-
 constexpr std::ptrdiff_t kEndSize = 7;  // of the last record: kind, stamp, size and checksum
-
-struct Chunk {
-  Direction direction = Direction::Received;
-  double stamp = 0.0;
-  Bytes bytes;
-
-  bool operator==(const Chunk&) const = default;
-};
-
-std::vector<Chunk> read_all(RecordingReader& reader) {
-  std::vector<Chunk> chunks;
-  while (const auto next = reader.next()) {
-    chunks.push_back({next->direction, next->stamp, {next->bytes.begin(), next->bytes.end()}});
-  }
-  return chunks;
-}
 
 Bytes bytes_of(const std::filesystem::path& path) {
   const std::string content = content_of(path);
   return {content.begin(), content.end()};
-}
-
-void write_all(const std::filesystem::path& path, const std::vector<Chunk>& chunks) {
-  RecordingWriter writer(path, "seed: 7\n");
-  for (const Chunk& chunk : chunks) writer.record(chunk.direction, chunk.stamp, chunk.bytes);
-  writer.close();
 }
 
 /// A run as a robot's link sees it: frames of 84 bytes of which few change, some torn in two, commands now and then.
@@ -104,6 +81,84 @@ TEST(RecordingTest, IsLaidOutAsDocumented) {
   next(4);
   EXPECT_EQ(next(3), (Bytes{5, 0, 0})) << "the end";
   EXPECT_EQ(file.size(), 4u);
+}
+
+TEST(RecordingTest, TellsHowTheMissionEndedOnceItWasRead) {
+  const TemporaryFolder folder;
+  {
+    RecordingWriter writer(folder / "run.oilog", "a: b\n");
+    writer.record(Direction::Received, 0.015, Bytes{1, 2, 3});
+    writer.record_end({300, "stopped"});
+  }
+  RecordingReader reader(folder / "run.oilog");
+  EXPECT_FALSE(reader.mission_end());
+  EXPECT_EQ(read_all(reader).size(), 1u);
+  EXPECT_EQ(reader.mission_end(), (RecordedEnd{300, "stopped"}));
+  EXPECT_FALSE(reader.cut());
+  const Bytes file = bytes_of(folder / "run.oilog");
+  const auto end = file.end() - kEndSize;
+  EXPECT_EQ(Bytes(end - 16, end - 4), (Bytes{6, 0, 9, 0xac, 2, 's', 't', 'o', 'p', 'p', 'e', 'd'}));
+  RecordingReader cut(Bytes(file.begin(), end - 1), "cut");
+  EXPECT_EQ(read_all(cut).size(), 1u);
+  EXPECT_FALSE(cut.mission_end());
+  EXPECT_TRUE(cut.cut());
+}
+
+/// Recordings of one name, one run after another.
+class OlderRecordingTest : public testing::Test {
+ protected:
+  enum class Fate { Closed, Killed };
+  void run(const std::string& content, Fate fate) const {
+    {
+      RecordingWriter writer(path_, "a: b\n");
+      writer.record(Direction::Received, 0.0, Bytes(content.begin(), content.end()));
+      if (fate == Fate::Closed) return writer.close();
+      writer.flush();
+      std::filesystem::copy_file(path_, folder_ / "killed");
+      if (std::filesystem::exists(aside_)) std::filesystem::copy_file(aside_, folder_ / "aside");
+    }
+    // As a kill at that moment would have left them.
+    std::filesystem::rename(folder_ / "killed", path_);
+    if (std::filesystem::exists(folder_ / "aside")) std::filesystem::rename(folder_ / "aside", aside_);
+  }
+  static std::string recorded(const std::filesystem::path& path) {
+    RecordingReader reader(path);
+    std::string text;
+    while (const auto chunk = reader.next()) text.append(chunk->bytes.begin(), chunk->bytes.end());
+    return text;
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_ / "run.oilog";
+  std::filesystem::path aside_ = folder_ / "run.oilog~";
+};
+
+TEST_F(OlderRecordingTest, IsKeptUntilThereIsAnotherWholeOne) {
+  run("first", Fate::Closed);
+  run("second", Fate::Killed);
+  EXPECT_EQ(recorded(aside_), "first");
+  run("third", Fate::Killed);
+  EXPECT_EQ(recorded(aside_), "first") << "the second was never whole";
+  EXPECT_EQ(recorded(path_), "third");
+  run("fourth", Fate::Closed);
+  EXPECT_EQ(recorded(path_), "fourth");
+  EXPECT_FALSE(std::filesystem::exists(aside_));
+}
+
+TEST_F(OlderRecordingTest, GivesWayToAWholeOne) {
+  run("first", Fate::Closed);
+  std::filesystem::copy_file(path_, folder_ / "first");
+  run("second", Fate::Closed);
+  std::filesystem::rename(folder_ / "first", aside_);
+  run("third", Fate::Killed);
+  EXPECT_EQ(recorded(aside_), "second");
+}
+
+TEST_F(OlderRecordingTest, GivesWayWhereItIsNotWholeItself) {
+  run("first", Fate::Killed);
+  run("second", Fate::Killed);
+  run("third", Fate::Killed);
+  EXPECT_EQ(recorded(aside_), "second");
 }
 
 TEST(RecordingTest, KeepsOnlyWhatChangedInAFrame) {
@@ -245,92 +300,6 @@ TEST(RecordingTest, GoesOnWhenTheDiscIsFullAndTellsItOnce) {
 TEST(RecordingTest, SaysWhenTheFirstBytesAlreadyFindNoRoom) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   EXPECT_THAT(message_of([] { RecordingWriter("/dev/full", "a: b"); }), HasSubstr("No space left on device"));
-}
-
-/// A channel that gives prepared reads, then is closed, and keeps what was written.
-class ScriptedChannel : public ByteChannel {
- public:
-  explicit ScriptedChannel(const std::vector<Chunk>& reads) : reads_(reads.begin(), reads.end()) {}
-  ByteRead read(std::span<std::uint8_t> buffer) override {
-    if (reads_.empty()) return {.count = 0, .stamp = 0.0, .open = false};
-    const Chunk chunk = reads_.front();
-    reads_.pop_front();
-    std::copy(chunk.bytes.begin(), chunk.bytes.end(), buffer.begin());
-    return {.count = chunk.bytes.size(), .stamp = chunk.stamp, .open = true};
-  }
-  bool write(std::span<const std::uint8_t> bytes) override {
-    written.insert(written.end(), bytes.begin(), bytes.end());
-    return link_is_up;
-  }
-
-  Bytes written;
-  bool link_is_up = true;
-
- private:
-  std::deque<Chunk> reads_;
-};
-
-std::vector<Chunk> drain(ByteChannel& channel, std::size_t buffer_size) {
-  std::vector<Chunk> chunks;
-  while (true) {
-    Bytes buffer(buffer_size);
-    const ByteRead got = channel.read(buffer);
-    if (!got.open) return chunks;
-    buffer.resize(got.count);
-    if (got.count > 0) chunks.push_back({Direction::Received, got.stamp, buffer});
-  }
-}
-
-TEST(RecordingChannelTest, ReplaysWhatTheLiveReaderSawToTheBit) {
-  const TemporaryFolder folder;
-  std::vector<Chunk> live_script;
-  for (int i = 0; i < 500; ++i)
-    live_script.push_back({Direction::Received, i * (1.0 / 66.7), Bytes(std::size_t(i % 3), 9)});
-  ScriptedChannel robot(live_script);
-  RecordingWriter writer(folder / "run.oilog", "");
-  RecordingChannel recorded(robot, writer);
-  const std::vector<Chunk> live = drain(recorded, 256);
-  writer.close();
-  ASSERT_GT(live.size(), 300u);
-  EXPECT_NEAR(live.back().stamp, live_script.back().stamp, 1e-9);
-
-  RecordingReader reader(folder / "run.oilog");
-  RecordedChannel replay(reader);
-  EXPECT_EQ(drain(replay, 256), live);
-}
-
-TEST(RecordingChannelTest, KeepsWhatIsSentWithTheStampOfTheLastRead) {
-  const TemporaryFolder folder;
-  ScriptedChannel robot({{Direction::Received, 0.5, {1}}});
-  RecordingWriter writer(folder / "run.oilog", "");
-  RecordingChannel channel(robot, writer);
-  Bytes buffer(10);
-  EXPECT_TRUE(channel.write(Bytes{128}));
-  channel.read(buffer);
-  robot.link_is_up = false;
-  EXPECT_FALSE(channel.write(Bytes{131, 132}));
-  writer.flush();
-  EXPECT_EQ(robot.written, (Bytes{128, 131, 132}));
-  RecordingReader reader(folder / "run.oilog");
-  EXPECT_EQ(read_all(reader),
-            (std::vector<Chunk>{
-                {Direction::Sent, 0.0, {128}}, {Direction::Received, 0.5, {1}}, {Direction::Sent, 0.5, {131, 132}}}));
-}
-
-TEST(RecordedChannelTest, HandsOutALongChunkInPiecesAndIgnoresCommands) {
-  const TemporaryFolder folder;
-  write_all(
-      folder / "run.oilog",
-      {{Direction::Sent, 0.0, {7, 7}}, {Direction::Received, 1.0, {1, 2, 3, 4, 5}}, {Direction::Received, 2.0, {6}}});
-  RecordingReader reader(folder / "run.oilog");
-  RecordedChannel channel(reader);
-  EXPECT_TRUE(channel.write(Bytes{1}));
-  EXPECT_EQ(drain(channel, 2), (std::vector<Chunk>{{Direction::Received, 1.0, {1, 2}},
-                                                   {Direction::Received, 1.0, {3, 4}},
-                                                   {Direction::Received, 1.0, {5}},
-                                                   {Direction::Received, 2.0, {6}}}));
-  Bytes buffer(4);
-  EXPECT_FALSE(channel.read(buffer).open) << "and stays closed";
 }
 
 }  // namespace

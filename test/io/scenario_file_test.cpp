@@ -27,6 +27,8 @@ TEST(ScenarioFileTest, ReadsWhatItWrites) {
     if (i % 2 == 0) {
       scenario.start = Pose2{random.uniform(-50.0, 50.0), random.uniform(-50.0, 50.0), random.uniform(-kPi, kPi)};
     }
+    if (i % 3 == 0) scenario.protocol = oi::Model::Roomba400;
+    scenario.mode_one_too_high = i % 5 == 0;
     scenario.resolution = random.uniform(0.005, 1.0);
     scenario.max_time = random.uniform(1.0, 1e6);
     if (i % 3 == 0) {

@@ -306,6 +306,12 @@ TEST(SerialPortErrorTest, RefusesAFile) {
   EXPECT_NE(of_folder.find("is no serial port"), std::string::npos) << of_folder;
 }
 
+TEST(RatesToTryTest, BeginWithTheAddressesAndNameNoneTwice) {
+  EXPECT_EQ(rates_to_try({.path = "port"}), (std::vector<int>{115200, 57600, 19200}));
+  EXPECT_EQ(rates_to_try({.path = "port", .baud = 57600}), (std::vector<int>{57600, 115200, 19200}));
+  EXPECT_EQ(rates_to_try({.path = "port", .baud = 38400}), (std::vector<int>{38400, 115200, 57600, 19200}));
+}
+
 TEST(SerialPortsTest, AreThoseOnUsb) {
   const TemporaryFolder folder;
   for (const char* name : {"ttyUSB1", "ttyACM0", "ttyUSB0", "tty1", "ttyS0", "null"}) folder.write(name, "");

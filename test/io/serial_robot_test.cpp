@@ -1,10 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/serial_robot.hpp>
+#include <scrubjay/oi/all_packets.hpp>
 
 #include "fake_robot.hpp"
+#include "modem_lines.hpp"
 #include "temporary_folder.hpp"
 
 namespace scrubjay {
@@ -189,6 +192,51 @@ TEST_F(SerialRobotTest, TellsASilentRobotToStand) {
   EXPECT_GE(robot.report().reconnections, 1u);
 }
 
+TEST_F(SerialRobotTest, WakesARobotThatFellAsleepOnTheWay) {
+  FakeRobot fake(port());
+  const ModemLines lines([&] { fake.pulse_brc(); });
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 10);
+  const int before = lines.pulses();
+  fake.hear_power();
+  EXPECT_GT(drive(robot, 30), 0.0);
+  EXPECT_EQ(fake.mode(), oi::OiMode::Safe);
+  EXPECT_GT(lines.pulses(), before);
+}
+
+TEST_F(SerialRobotTest, PullsTheWakeLineOnceASilence) {
+  FakeRobot fake(port());
+  const ModemLines lines([] {});
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  for (int silence = 0; silence < 2; ++silence) {
+    drive(robot, 5);
+    fake.fall_silent();
+    const int before = lines.pulses();
+    std::atomic<bool> is_over = false;
+    std::jthread healer([&] {
+      EXPECT_TRUE(soon([&] { return lines.pulses() > before; }));
+      std::this_thread::sleep_for(std::chrono::milliseconds(500));  // for more attempts
+      is_over = true;
+      fake.speak_again();
+    });
+    while (!is_over) ASSERT_TRUE(robot.next());
+    EXPECT_EQ(lines.pulses(), before + 1);
+  }
+}
+
+TEST_F(SerialRobotTest, LeavesTheWakeLineAloneWhereItOnlyListens) {
+  params_.session = OiRobot::Session::Listen;
+  params_.give_up = 0.5;
+  FakeRobot fake(port());
+  const ModemLines lines([] {});
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  ASSERT_TRUE(robot.next());
+  fake.fall_silent();
+  while (robot.next()) {
+  }
+  EXPECT_EQ(lines.pulses(), 0);
+}
+
 TEST_F(SerialRobotTest, CountsNoJumpOfARobotThatWasStartedAnew) {
   for (const std::uint16_t first : {std::uint16_t{0}, std::uint16_t{40000}}) {
     FakeRobot fake(port(), {.firmware = {.quirks = {.sign_from_command = false}, .encoder_start = first}});
@@ -237,6 +285,84 @@ TEST_F(SerialRobotTest, OnlyListensWhereItIsToldTo) {
   drive(robot, 10);
   EXPECT_EQ(fake.mode(), oi::OiMode::Passive);
   EXPECT_TRUE(fake.stands());
+}
+
+TEST_F(SerialRobotTest, ListensToARobotOfAnyDialectInTheModeThatItHas) {
+  params_.session = OiRobot::Session::Listen;
+  params_.connect_timeout = 20.0;  // for a loaded machine
+  for (const oi::Model protocol : oi::kRichestFirst) {
+    FakeRobot fake(port(), {.protocol = protocol});
+    fake.hear(oi::Start{});
+    fake.hear(oi::Control{});
+    fake.hear(oi::Drive{oi::Velocity(100), oi::Radius::straight()});
+    {
+      SerialRobot robot(address(), {}, stop_.get_token(), params_);
+      EXPECT_EQ(robot.model().protocol, protocol);
+      for (int i = 0; i < 5; ++i) EXPECT_TRUE(robot.next());
+      robot.stop();
+      EXPECT_TRUE(robot.next());
+    }
+    EXPECT_EQ(fake.mode(), oi::OiMode::Safe);
+    EXPECT_FALSE(fake.stands());
+  }
+}
+
+TEST_F(SerialRobotTest, SendsNothingToARobotThatStreamsAlready) {
+  params_.session = OiRobot::Session::Listen;
+  params_.connect_timeout = 20.0;
+  FakeRobot fake(port());
+  fake.hear(oi::Start{});
+  fake.hear(oi::Full{});
+  fake.hear(oi::stream_of_all(oi::Model::Create2));
+  {
+    SerialRobot robot(address(), {}, stop_.get_token(), params_);
+    robot.record(std::make_unique<RecordingWriter>(folder_ / "run.oilog", ""));
+    for (int i = 0; i < 5; ++i) EXPECT_TRUE(robot.next());
+    robot.stop();
+    robot.close_recording();
+  }
+  EXPECT_EQ(fake.heard(), 0U);
+  EXPECT_EQ(fake.mode(), oi::OiMode::Full);
+  const std::uint64_t before = fake.frames_sent();
+  EXPECT_TRUE(soon([&] { return fake.frames_sent() > before + 2; })) << "the stream has ended";
+}
+
+TEST_F(SerialRobotTest, StartsAnewNoRobotThatItListensTo) {
+  params_.session = OiRobot::Session::Listen;
+  params_.connect_timeout = 20.0;
+  FakeRobot fake(port());
+  fake.hear(oi::Start{});
+  fake.hear(oi::Safe{});
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  ASSERT_TRUE(robot.next());
+  fake.hear(oi::PauseResumeStream{oi::Bounded<0, 1>(0)});
+  while (robot.report().reconnections == 0) ASSERT_TRUE(robot.next());
+  EXPECT_EQ(fake.mode(), oi::OiMode::Safe);
+}
+
+TEST_F(SerialRobotTest, AsksWhetherToWaitForASilentRobot) {
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 5);
+  std::vector<double> silences;
+  robot.while_silent([&](double silence) {
+    silences.push_back(silence);
+    return silences.size() < 5;
+  });
+  fake.fall_silent();
+  while (robot.next()) {
+  }
+  ASSERT_EQ(silences.size(), 5U);
+  EXPECT_GE(silences.front(), OiRobot::kSilence);
+  EXPECT_TRUE(std::ranges::is_sorted(silences));
+  fake.speak_again();
+  robot.while_silent(nullptr);
+  EXPECT_TRUE(robot.next());
+}
+
+TEST(SilenceTest, IsNoticedWithinATenthOfASecondEvenByAReadThatBeganJustBefore) {
+  const double longest_read = std::chrono::duration<double>(SerialPort::kWait).count();
+  EXPECT_LE(OiRobot::kSilence + longest_read, 0.0951);  // 5 ms are left to the scheduler
 }
 
 TEST_F(SerialRobotTest, RecordsASessionThatReplaysToTheSameFrames) {

@@ -3,7 +3,7 @@
 
 #include <scrubjay/io/recorded_robot.hpp>
 #include <scrubjay/io/wire_tap.hpp>
-#include <scrubjay/oi/command.hpp>
+#include <scrubjay/oi/all_packets.hpp>
 #include <scrubjay/robot/oi_robot.hpp>
 #include <thread>
 
@@ -100,8 +100,7 @@ TEST_F(WireTapTest, IsNotHeldUpByAClientThatDoesntRead) {
   {
     SerialPort client({folder_ / "tap"});
     client.write(encode(oi::Start{}));
-    const oi::SensorId all(100);
-    client.write(encode(oi::Stream{*oi::FixedList<oi::SensorId, 0, 255>::of({&all, 1})}));
+    client.write(encode(oi::stream_of_all(oi::Model::Create2)));
     ASSERT_TRUE(soon([&] { return robot_.frames_sent() * 84 > 2 * PseudoTerminal::kBacklog; }));
   }
   end();

@@ -86,6 +86,13 @@ TEST(MissionTest, EndsWithARobotThatNeverAnswered) {
   EXPECT_EQ(rig.robot.stops, 1);
 }
 
+TEST(MissionTest, IsStoppedWhereTheRobotWasSilentWhenItWasAskedTo) {
+  Rig rig{FakeRobot(0)};
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_EQ(rig.mission.run(source.get_token()).ended, Ended::Stopped);
+}
+
 TEST(MissionTest, LeavesTheRobotStandingHoweverItEnds) {
   const auto held = [](int, Frame& frame) { frame.bump_left = true; };
   Rig done(FakeRobot(100), 10);
@@ -120,6 +127,7 @@ TEST(MissionTest, ReportsTimeDistanceBumpsAndPose) {
     frame.bump_right = i >= 12 && i < 18;
   }));
   const Report report = rig.run();
+  EXPECT_EQ(report.frames, 101u);
   EXPECT_NEAR(report.time, 100 * kTick, 1e-9);
   EXPECT_NEAR(report.distance, 50 * 0.002 + 51 * 0.001, 1e-12) << "backwards counts as well";
   EXPECT_EQ(report.bumps, 2u);
@@ -141,6 +149,7 @@ TEST(MissionTest, EachEndHasItsName) {
   EXPECT_EQ(to_string(Ended::Stopped), "stopped");
   EXPECT_EQ(to_string(Ended::Stuck), "stuck");
   EXPECT_EQ(to_string(Ended::RobotGone), "robot gone");
+  EXPECT_EQ(to_string(Ended::EndOfRecording), "end of the recording");
 }
 
 TEST(MissionTest, CountsTheWayOfOwnOdometryToo) {

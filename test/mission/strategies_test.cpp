@@ -64,6 +64,30 @@ TEST(StrategiesTest, SensesThatAreMissingAreNamed) {
   EXPECT_THAT(error_for("edge-follow", burger()), AllOf(HasSubstr("wants a bumper"), HasSubstr("wander")));
 }
 
+TEST(StrategiesTest, WhatCannotKeepToBoundsOrReturnIsNotToldTo) {
+  const auto error_for = [](std::string_view name, const StrategySetting& setting) -> std::string {
+    try {
+      make_strategy(name, setting);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), Error::Kind::Input);
+      return error.what();
+    }
+    return "none";
+  };
+  const StrategySetting bounded{.within = Bounds2{{-1.0, -1.0}, {1.0, 1.0}}};
+  const StrategySetting returning{.return_home = true};
+  for (const char* name : {"random-2", "random-3", "random-look", "random-aware", "reactive", "wander"}) {
+    EXPECT_THAT(error_for(name, bounded), HasSubstr("stay within bounds (those that can: contact-frontier)")) << name;
+    EXPECT_THAT(error_for(name, returning), HasSubstr("return home (those that can: edge-follow, contact-frontier)"));
+  }
+  EXPECT_THAT(error_for("edge-follow", bounded), HasSubstr("stay within bounds"));
+  EXPECT_EQ(error_for("edge-follow", returning), "none");
+  EXPECT_EQ(error_for("contact-frontier", bounded), "none");
+  EXPECT_EQ(error_for("contact-frontier", returning), "none");
+  EXPECT_THAT(error_for("wander", {.robot = burger(), .return_home = true}), HasSubstr("that can: tiles, frontiers)"));
+  EXPECT_EQ(error_for("tiles", {.robot = burger(), .within = bounded.within, .return_home = true}), "none");
+}
+
 TEST(StrategiesTest, AnUnknownNameGetsTheKnownOnesAndTheNearest) {
   EXPECT_THAT(error_of("edge-folow"), AllOf(HasSubstr("'edge-folow'"), HasSubstr("did you mean 'edge-follow'?"),
                                             HasSubstr("random-2, random-3, random-look, random-aware, reactive")));

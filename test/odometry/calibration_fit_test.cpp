@@ -91,6 +91,29 @@ TEST(CalibrationFitTest, FindsAnyRobotsFactorsFromSquaresBothWaysAndAStraight) {
   }
 }
 
+TEST(CalibrationFitTest, FindsTurnsFromFarOffWithoutAStraight) {
+  Random random(6);
+  constexpr int kRobots = 100;
+  int found_from_afar = 0;
+  for (int i = 0; i < kRobots; ++i) {
+    const Calibration truth = any_robot(random);
+    // The square was driven by what the spin told: seen with the model's factors it ends far away, and turned.
+    const auto turns = [](const Calibration& factors) { return 2.0 * factors.axle / (factors.left + factors.right); };
+    const Travel turned = spin(1.0);
+    const Travel closed = square(1.0, 0.5 * kPi * turns(truth));
+    const MeasuredDrive drives[] = {{turned, turn_of(turned, truth)}, {closed, offset_of(closed, truth)}};
+    const auto spun = fit_calibration(std::span(drives).first(1), kDrive);
+    ASSERT_TRUE(spun.has_value());
+    const auto fit = fit_calibration(drives, kDrive, {}, spun->calibration);
+    ASSERT_TRUE(fit.has_value()) << i;
+    EXPECT_NEAR(turns(fit->calibration) / turns(truth), 1.0, 5e-3) << i;
+    EXPECT_GT(fit->deviation.axle, 0.03) << "neither drive tells the wheels' scale";
+    const auto afar = fit_calibration(drives, kDrive);
+    if (afar && std::fabs(turns(afar->calibration) / turns(truth) - 1.0) < 5e-3) ++found_from_afar;
+  }
+  EXPECT_GE(found_from_afar, 95) << "without a start";
+}
+
 TEST(CalibrationFitTest, ASpinTellsTheAxleBetterThanSquares) {
   const Calibration truth{1.004, 0.996, 1.12};
   const MeasuredDrive drives[] = {{kLeft, offset_of(kLeft, truth)},

@@ -56,6 +56,12 @@ TEST(QuirksTest, ModesOneTooHighAreCorrected) {
   EXPECT_EQ(corrected_mode(0, quirks), std::nullopt);
 }
 
+TEST(QuirksTest, AModeThatIsOneTooHighShowsWhereTheModeIsKnown) {
+  EXPECT_TRUE(is_one_too_high(2, OiMode::Passive));
+  EXPECT_FALSE(is_one_too_high(1, OiMode::Passive));
+  EXPECT_FALSE(is_one_too_high(3, OiMode::Passive));
+}
+
 TEST(QuirksTest, SwappedEncodersAreSwappedBack) {
   FirmwareQuirks quirks;
   EXPECT_EQ(corrected_encoders(1, 2, quirks), (EncoderCounts{1, 2}));

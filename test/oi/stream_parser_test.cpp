@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <scrubjay/oi/all_packets.hpp>
 #include <scrubjay/oi/stream_parser.hpp>
 #include <vector>
 
@@ -315,6 +316,19 @@ TEST(StreamParserTest, ResetForgetsTheFrameThatHasBegun) {
   listener.feed(frame);
   EXPECT_THAT(listener.payloads, ElementsAre(payload_of(frame)));
   EXPECT_EQ(listener.parser.counters().skipped, 50U);
+}
+
+TEST(StreamEncoderTest, OfAllPacketsHasThePayloadThatIsExpectedOfIt) {
+  for (const Model model : {Model::Create2, Model::Create1}) {
+    const Stream all = stream_of_all(model);
+    Sensors empty;
+    const Bytes frame = frame_of({all.ids.begin(), all.ids.end()}, empty, model);
+    EXPECT_EQ(payload_of(frame).size(), payload_of_all(model));
+    EXPECT_GT(payload_of_all(model), 50);
+    Listener listener(payload_of_all(model), model);
+    listener.feed(frame);
+    EXPECT_THAT(listener.payloads, ElementsAre(payload_of(frame)));
+  }
 }
 
 TEST(StreamEncoderTest, RefusesWhatIsNoFrame) {

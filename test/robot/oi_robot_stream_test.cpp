@@ -210,6 +210,19 @@ TEST(OiRobotTest, NoticesSilenceWithinATenthOfASecond) {
   EXPECT_EQ(robot.link(), LinkState::Silent);
 }
 
+TEST(OiRobotTest, NoticesSilenceWithinATenthOfASecondByReadsThatTakeALittleLonger) {
+  for (const double first : {0.005, 0.010, 0.0155, 0.0202}) {
+    ScriptedChannel channel;
+    channel.give(10.0, stream_frame(at_rest()));
+    for (int i = 0; i < 6; ++i) channel.give(10.0 + first + i * 0.0202, {});  // as SerialPort does, and its calls
+    OiRobot robot(channel, {});
+    ASSERT_TRUE(robot.next());
+    EXPECT_FALSE(robot.next());
+    EXPECT_EQ(robot.link(), LinkState::Silent);
+    EXPECT_LT(robot.stamp(), 10.096) << first;
+  }
+}
+
 TEST(OiRobotTest, CallsARobotSilentNeitherTooEarlyNorTooLate) {
   for (const double gap : {0.05, 0.09, 0.11, 0.5}) {
     ScriptedChannel channel;

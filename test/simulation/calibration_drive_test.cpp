@@ -132,6 +132,20 @@ TEST(CalibrationDriveTest, AnExactRobotIsFoundToBeOne) {
   expect_near(calibrator.found(), {}, 0.0005);
 }
 
+TEST(CalibrationDriveTest, AnyDrivesWillDoForWhatTheyTell) {
+  using enum CalibrationFigure;
+  for (const Figures& figures : {Figures{Spin, SquareLeft}, Figures{SquareLeft, SquareRight}, Figures{SquareRight}}) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      Calibrator calibrator(uncalibrated_robot(), seed);
+      for (const CalibrationFigure figure : figures) calibrator.drive(figure);
+      // How far a turn is, which doesn't take the wheels' scale to know.
+      const auto turns = [](const Calibration& factors) { return factors.axle / (factors.left + factors.right); };
+      SCOPED_TRACE(seed);
+      EXPECT_NEAR(turns(calibrator.found()) / turns(calibrator.truth()), 1.0, figures.size() == 1 ? 0.04 : 0.015);
+    }
+  }
+}
+
 TEST(CalibrationDriveTest, SpinsOnlyAsOftenAsTurnsCanBeToldApart) {
   Calibrator calibrator(uncalibrated_robot());
   EXPECT_DOUBLE_EQ(*calibrator.session.plan(CalibrationFigure::Spin).turn, 2.0 * kPi);

@@ -6,6 +6,7 @@
 #include <scrubjay/grid/contact_model.hpp>
 #include <scrubjay/odometry/odometry.hpp>
 #include <scrubjay/robot/oi_robot.hpp>
+#include <scrubjay/robot/reconnection.hpp>
 
 namespace scrubjay {
 
@@ -19,7 +20,8 @@ class EmbeddedMission {
   EmbeddedMission(ByteChannel& channel, const RobotModel& robot, GridView<LogOdds> map, Behavior& behavior);
 
   /// Reads from the channel until a read completes no frame, takes each one through the loop, and sends the motion
-  /// decided. Says how many frames there were. A robot that is silent is told to stand still.
+  /// decided. Says how many frames there were. A robot that is silent is told to stand still, and its session is
+  /// started anew, again and again until it answers: it may have been reset, or have had its battery out.
   int step();
   /// Stands still, and ends in a mode that charges. Steps go on to tell the pose, but map and decide no more.
   void stop();
@@ -34,11 +36,12 @@ class EmbeddedMission {
   const OiRobot& robot() const { return robot_; }
 
  private:
+  void heal();
   void take(const Frame& frame);
   void drive(const Motion& motion);
 
   OiRobot robot_;
-  DifferentialDrive drive_;
+  Reconnection reconnection_;
   Odometry odometry_;
   ContactModel model_;
   GridView<LogOdds> map_;

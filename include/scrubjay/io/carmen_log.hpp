@@ -54,7 +54,8 @@ struct CarmenLog {
   double duration() const { return records.back().stamp - records.front().stamp; }
 };
 
-/// Reads a log, plain or packed with gzip. Throws Error with file, line and field; also if it holds no FLASER record.
+/// Reads a log, plain or packed with gzip. Throws Error with file, line and field; also for poses beyond kWorldExtent
+/// and stamps beyond 1e11 s, and if it holds no FLASER record.
 CarmenLog read_carmen_log(const std::filesystem::path& path);
 /// The same from memory; `name` stands in the errors.
 CarmenLog parse_carmen_log(std::span<const std::uint8_t> file, const std::string& name);

@@ -18,6 +18,8 @@ enum class FileKind : std::uint8_t {
   Urdf,
   Trajectory,
   CarmenLog,
+  Octomap,
+  Calibration,
   Unknown
 };
 

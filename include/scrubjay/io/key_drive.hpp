@@ -77,6 +77,11 @@ using KeySource = std::function<std::optional<std::vector<Key>>()>;
 /// Somebody who looks on.
 using DriveView = std::function<void(const Frame& frame, const Motion& motion, const KeyDriver& driver)>;
 
+/// To be called now and then while the robot is silent, and drive_by_keys() waits for its next frame. Takes the keys:
+/// speed and the end count at once, all others when they are pressed again later. False if somebody ends it, or the
+/// keyboard is gone; the robot's next() should give none then.
+bool heed_keys_in_silence(KeyDriver& driver, const KeySource& keys);
+
 /// Drives until somebody ends it: by key, by `stop`, or because keyboard or robot are gone. However it ends, also by an
 /// exception, the robot is told to stop.
 DriveEnd drive_by_keys(Robot& robot, KeyDriver& driver, const KeySource& keys, const DriveView& view,

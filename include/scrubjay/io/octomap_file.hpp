@@ -2,6 +2,7 @@
 /// Maps as OctoMap's binary trees (`.bt`), for 3-D planners and octovis.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <scrubjay/mapping/occupancy_grid.hpp>
 
@@ -17,5 +18,14 @@ namespace scrubjay {
 /// Throws Error if `height` isn't positive, or the map reaches farther than the 32768 voxels from the origin that a
 /// tree can hold; and Error (Kind::Failure) if the file can't be written.
 void write_octomap(const std::filesystem::path& path, const OccupancyGrid& map, double height);
+
+/// What the head of a tree's file tells.
+struct OctomapHead {
+  double resolution = 0.0;  ///< side of a voxel [m]
+  std::uint64_t nodes = 0;  ///< of the tree
+};
+
+/// Throws Error if the file can't be read, or begins otherwise than a binary tree's.
+OctomapHead read_octomap_head(const std::filesystem::path& path);
 
 }  // namespace scrubjay

@@ -22,8 +22,9 @@ class PseudoTerminal final : public ByteChannel {
   /// It is also what a terminal holds in Linux.
   static constexpr std::size_t kBacklog = 4095;
 
-  /// Opens a pair, and makes `link` a symbolic link to the clients' end. A link that leads nowhere or to another
-  /// pseudo-terminal is replaced; anything else is not. Throws Error (Kind::Failure where the system is out of them).
+  /// Opens a pair, and makes `link` a symbolic link to the clients' end. A link that leads nowhere, as one of a
+  /// program that was killed, is replaced; anything else is not. Throws Error (Kind::Failure where the system is out of
+  /// them).
   explicit PseudoTerminal(const std::filesystem::path& link);
   PseudoTerminal(const PseudoTerminal&) = delete;
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;

@@ -7,6 +7,7 @@
 #include <scrubjay/io/recording.hpp>
 #include <scrubjay/oi/command_decoder.hpp>
 #include <scrubjay/oi/query.hpp>
+#include <scrubjay/oi/quirks.hpp>
 #include <scrubjay/oi/stream_parser.hpp>
 #include <scrubjay/robot/frame_maker.hpp>
 #include <scrubjay/robot/robot.hpp>
@@ -23,7 +24,7 @@ namespace scrubjay {
 class RecordedRobot final : public Robot {
  public:
   /// `reader` must outlive it.
-  RecordedRobot(RecordingReader& reader, const RobotModel& model);
+  RecordedRobot(RecordingReader& reader, const RobotModel& model, const oi::FirmwareQuirks& quirks = {});
 
   std::optional<Frame> next() override;
   void drive(const Motion&) override {}

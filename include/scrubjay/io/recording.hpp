@@ -25,6 +25,15 @@ double stamp_from_nanoseconds(std::int64_t nanoseconds);
 /// Which way bytes went.
 enum class Direction : std::uint8_t { Received, Sent };  ///< from the robot, to the robot
 
+/// How the mission ended that a recording is of. What the robot said while it was stopped is in the recording as well,
+/// and is no part of the mission.
+struct RecordedEnd {
+  std::uint64_t frames = 0;  ///< that the mission took
+  std::string why;           ///< as to_string(Ended) has it, UTF-8
+
+  bool operator==(const RecordedEnd&) const = default;
+};
+
 /// The most recent chunk of each length from 1 to 255 bytes: what the next one of that length is compared with.
 class ChunkHistory {
  public:
@@ -54,9 +63,12 @@ class RecordingWriter {
 
   /// Records bytes that passed at `stamp` [s].
   void record(Direction direction, double stamp, std::span<const std::uint8_t> bytes);
+  /// Records how the mission ended, once it has.
+  void record_end(const RecordedEnd& end);
   /// Hands everything to the system. Throws Error (Kind::Failure) once if anything failed since the beginning.
   void flush();
-  /// Marks the end, flushes, and waits until it is on the disc. Nothing may be recorded afterwards. Throws Error as flush() does.
+  /// Marks the end, flushes, and waits until it is on the disc. Nothing may be recorded afterwards. Throws Error as
+  /// flush() does.
   void close();
 
  private:
@@ -97,6 +109,8 @@ class RecordingReader {
   const std::string& scenario() const { return scenario_; }
   /// The next chunk; none at the end.
   std::optional<RecordedBytes> next();
+  /// Once next() gave none: how the mission ended, if the recording is of one, and wasn't cut before.
+  const std::optional<RecordedEnd>& mission_end() const { return mission_end_; }
   /// Once next() gave none: whether the end that close() writes is missing, by a kill or a cut, or bytes were damaged.
   /// What came after the cut or the damage is lost.
   bool cut() const { return cut_; }
@@ -107,12 +121,14 @@ class RecordingReader {
     std::span<const std::uint8_t> payload;
   };
   std::optional<Record> next_record();
+  std::optional<Record> next_chunk();
 
   std::vector<std::uint8_t> file_;
   std::size_t position_ = 0;
   bool cut_ = false;
   bool ended_ = false;
   std::string scenario_;
+  std::optional<RecordedEnd> mission_end_;
   std::unique_ptr<ChunkHistory> history_ = std::make_unique<ChunkHistory>();
   std::int64_t last_stamp_ = 0;  ///< [ns]
   std::uint32_t checksum_ = 0;
@@ -134,7 +150,8 @@ class RecordingChannel : public ByteChannel {
   double last_stamp_ = 0.0;  ///< of what was read last: written bytes have no stamp of their own [s]
 };
 
-/// A channel on which a recording's received bytes arrive again, chunk by chunk with their stamps.
+/// A channel on which a recording's received bytes arrive again, chunk by chunk with their stamps. Between them are the
+/// reads that brought nothing and were answered: a robot that is asked again for a lost reply is so in a replay, too.
 ///
 /// What is written to it goes nowhere. At the end it is no longer open.
 class RecordedChannel : public ByteChannel {
@@ -147,7 +164,8 @@ class RecordedChannel : public ByteChannel {
  private:
   RecordingReader& reader_;
   std::span<const std::uint8_t> rest_;  ///< of a chunk that didn't fit into the buffer
-  double stamp_ = 0.0;
+  double stamp_ = 0.0;                  ///< of the last read [s]
+  bool heard_ = false;                  ///< anything yet
 };
 
 }  // namespace scrubjay

@@ -19,6 +19,10 @@ struct SerialAddress {
   int baud = 115200;  ///< bits per second. Create 2 and Roomba 600: 115200; older ones: 57600
 };
 
+/// The rates at which to look for a robot, the address's first: 115200 baud (Create 2 and Roomba 600), 57600 (older
+/// ones) and 19200 (any of them whose CLEAN button was held down while it started).
+std::vector<int> rates_to_try(const SerialAddress& address);
+
 /// The serial ports on USB, sorted by name: `ttyUSB*` and `ttyACM*` in `devices`.
 std::vector<std::filesystem::path> serial_ports(const std::filesystem::path& devices = "/dev");
 /// What tells a port's adapter from others, as `serial/by-id` names it (`usb-FTDI_TTL232R_FTE5QX-if00-port0`); empty if

@@ -31,10 +31,14 @@ struct LinkReport {
 struct SerialRobotParams {
   double connect_timeout = 2.0;  ///< to find a robot, and its model [s]
   double renewal = 0.2;          ///< a motion that isn't renewed within this is stopped [s]
-  double first_retry = 0.1;      ///< pause before the first attempt to reconnect [s]; doubles each time ...
+  double first_retry = 0.1;      ///< pause behind the first attempt to reconnect [s]; doubles each time ...
   double longest_retry = 2.0;    ///< ... up to this
   double give_up = 60.0;         ///< without a frame for this long, the robot is gone [s]
-  /// One that listens takes no control, and leaves the robot as it is.
+  /// One that listens takes no control, and leaves the robot in its mode, with the stream that ran before. It sends
+  /// nothing where a stream of all packets runs, as long as no silence breaks it; else it asks for that stream, in
+  /// place of another one. A robot that answers nothing without Start (Off, asleep) is woken and started when it is
+  /// sought, and never later; and at a wrong rate bytes may mean anything to a robot: the address should name the right
+  /// one.
   OiRobot::Session session = OiRobot::Session::Drive;
   /// The body that goes with a dialect, where no model is expected; none: RobotModel's defaults.
   std::function<RobotModel(oi::Model)> body = nullptr;
@@ -42,8 +46,8 @@ struct SerialRobotParams {
 
 /// Finds the robot on a port: opens it, wakes the robot, tries the model's rate and dialect first, then those of the
 /// others. What it found is in model(), and said by remarks(). While a mission runs, next() heals the link by itself,
-/// and a thread of its own stops a motion that isn't renewed. Destroyed, it tells the robot to stop and leaves it in a
-/// mode that charges.
+/// waking the robot once a silence, and a thread of its own stops a motion that isn't renewed. Destroyed, it tells the
+/// robot to stop and leaves it in a mode that charges.
 ///
 /// All calls from one thread.
 class SerialRobot final : public Robot {
@@ -63,17 +67,21 @@ class SerialRobot final : public Robot {
   /// a stream. next() begins a new session.
   void stop() override;
 
+  /// Has next() call `go_on` about every 20 ms while the robot is silent, and say for how long it has been [s]; if that
+  /// gives false, next() waits no longer and gives none.
+  void while_silent(std::function<bool(double silence)> go_on);
+
   /// Records all bytes from now on: to be told before the session begins, so that a replay sees all of it.
   void record(std::unique_ptr<RecordingWriter> writer);
   /// Closes the recording, if there is one. Throws Error if not all of it could be written.
   void close_recording();
 
   const RobotModel& model() const;
+  /// Of its firmware, as far as they were found out.
+  oi::FirmwareQuirks quirks() const;
   /// What a user should know of the connection, a sentence each; such as that another model was found.
   const std::vector<std::string>& remarks() const;
   LinkReport report() const;
-  /// All values as the robot gave them last.
-  const oi::Sensors& sensors() const;
 
  private:
   struct State;

@@ -19,14 +19,15 @@ struct Limits {
   double max_time = 3600.0;  ///< [s]
 };
 
-/// Why a mission ended.
-enum class Ended : std::uint8_t { Done, TimeLimit, Stopped, Stuck, RobotGone };
+/// Why a mission ended. The last one is of a replay that would have gone on.
+enum class Ended : std::uint8_t { Done, TimeLimit, Stopped, Stuck, RobotGone, EndOfRecording };
 
-/// "done", "time limit", "stopped", "stuck", "robot gone".
+/// "done", "time limit", "stopped", "stuck", "robot gone", "end of the recording".
 std::string_view to_string(Ended ended);
 
 struct Report {
   Ended ended = Ended::RobotGone;
+  std::uint64_t frames = 0;         ///< that it took from the robot
   double time = 0.0;                ///< from the first frame to the last [s]
   double distance = 0.0;            ///< driven, by the wheels or the robot's own odometry [m]
   std::uint64_t bumps = 0;          ///< times that the bumper closed

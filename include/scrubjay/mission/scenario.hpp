@@ -7,6 +7,7 @@
 #include <scrubjay/geometry/bounds.hpp>
 #include <scrubjay/geometry/pose2.hpp>
 #include <scrubjay/odometry/calibration.hpp>
+#include <scrubjay/oi/model.hpp>
 #include <string>
 
 namespace scrubjay {
@@ -27,6 +28,8 @@ struct Scenario {
   bool motion_distortion = false;          ///< a lidar's beams are measured one after another while it moves
   std::optional<double> forward_cone;      ///< only beams this near to straight ahead are mapped [rad]
   std::optional<double> robot_radius;      ///< floor this near to the robot is mapped as free, with a lidar [m]
+  std::optional<oi::Model> protocol;       ///< the dialect that a robot on a wire spoke; otherwise its model's
+  bool mode_one_too_high = false;          ///< oi::FirmwareQuirks::mode_one_too_high of a robot on a wire
 
   bool operator==(const Scenario&) const = default;
 };

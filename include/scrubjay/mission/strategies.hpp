@@ -18,7 +18,7 @@ struct StrategySetting {
   RobotModel robot{};
   Random random{0};
   std::optional<Bounds2> within{};  ///< floor to stay on, for those that plan
-  bool return_home = false;         ///< drive back to the start once done
+  bool return_home = false;         ///< drive back to the start once done, for those that end
 };
 
 /// From the one that knows least to the one that knows most.
@@ -28,8 +28,8 @@ std::vector<std::string_view> strategy_names(const RobotModel& robot);
 /// `frontiers` with a lidar, `contact-frontier` without.
 std::string_view default_strategy(const RobotModel& robot);
 
-/// Throws Error that lists the known ones, and the nearest, for a name that isn't one; and one that says what is
-/// missing for a robot that hasn't the senses.
+/// Throws Error that lists the known ones, and the nearest, for a name that isn't one; one that says what is missing
+/// for a robot that hasn't the senses; and one that lists those that can for bounds or a way home that it can't heed.
 std::unique_ptr<Behavior> make_strategy(std::string_view name, const StrategySetting& setting);
 
 }  // namespace scrubjay

@@ -46,18 +46,21 @@ struct CalibrationFit {
 /// Where a drive ended by the wheels' account and a calibration. All of EndOfDrive.
 EndOfDrive end_of(std::span<const WheelTravel> travel, const DifferentialDrive& drive, const Calibration& calibration);
 
-/// The calibration under which the drives end where they were measured to: maximum a posteriori by Gauss-Newton over
-/// the wheels' whole way, so errors may be large and drives may have any shape. Each measurement weighs by what the
-/// ruler and the wheels' random errors leave of it; what no drive tells of stays near 1, with the deviation to show for
-/// it.
+/// The calibration under which the drives end where they were measured to: maximum a posteriori by Gauss-Newton, its
+/// steps halved until they end at plausible factors, over the wheels' whole way, so errors may be large and drives may
+/// have any shape. Each measurement weighs by what the ruler and the wheels' random errors leave of it; what no drive
+/// tells of stays near 1, with the deviation to show for it.
 ///
 /// A square to the left and one to the right tell the wheels' ratio from the axle, whose errors look alike in one alone
 /// (Borenstein and Feng, 1996); neither tells the wheels' common scale, which a straight does. That drives of any shape
 /// make a least-squares problem is Antonelli, Chiaverini, Fusco, *A Calibration Method for Odometry of Mobile Robots
 /// Based on the Least-Squares Technique*, IEEE Transactions on Robotics 21(5), 2005.
 ///
+/// The search begins at `start`: give what the drives before the last one told, since a robot that is far off ends its
+/// squares far away, and a search from there may end in a valley of its own.
+///
 /// None if it doesn't settle on factors between 0.5 and 2: something was measured wrongly.
 std::optional<CalibrationFit> fit_calibration(std::span<const MeasuredDrive> drives, const DifferentialDrive& drive,
-                                              const CalibrationFitParams& params = {});
+                                              const CalibrationFitParams& params = {}, const Calibration& start = {});
 
 }  // namespace scrubjay

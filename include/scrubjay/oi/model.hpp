@@ -2,6 +2,7 @@
 /// The families of robots that speak the Open Interface.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -15,6 +16,9 @@ enum class Model : std::uint8_t {
 };
 
 inline constexpr std::size_t kModelCount = 3;
+
+/// The order in which to ask a robot for its dialect: whoever answers to a richer one may answer to the others as well.
+inline constexpr std::array<Model, kModelCount> kRichestFirst{Model::Create2, Model::Create1, Model::Roomba400};
 
 /// Some of the models.
 class ModelSet {

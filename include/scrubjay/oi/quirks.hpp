@@ -54,6 +54,11 @@ constexpr std::optional<OiMode> corrected_mode(std::int32_t reported, const Firm
   return static_cast<OiMode>(mode);
 }
 
+/// Whether a reading of packet 35 is one too high, of a robot that is known to be in `mode`.
+constexpr bool is_one_too_high(std::int32_t reported, OiMode mode) {
+  return reported == static_cast<std::int32_t>(mode) + 1;
+}
+
 /// Encoder counts as those of the wheels.
 struct EncoderCounts {
   std::int32_t left = 0;

@@ -46,7 +46,7 @@ class FrameMaker {
   oi::FirmwareQuirks quirks_;
   Encoder left_encoder_;
   Encoder right_encoder_;
-  bool measures_ = false;  // distance and angle were read before
+  bool begun_ = false;  // there was a reading before
   CountedStep left_before_;
   CountedStep right_before_;
   double gap_ = 0.0;        // without frames, that ended lately [s]

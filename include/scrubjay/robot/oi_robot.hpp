@@ -32,13 +32,15 @@ enum class LinkState : std::uint8_t {
 /// that is lost on the way costs little. A robot that falls silent is told to stand, again and again.
 class OiRobot final : public Robot {
  public:
-  /// Without a frame for this long the robot counts as silent [s]: with reads of a tick it is noticed within 0.1 s.
-  static constexpr double kSilence = 0.085;
+  /// Without a frame for this long the robot counts as silent [s]: five ticks. A read sees it when it ends, and may
+  /// have begun just before: with reads of 20 ms at most, as SerialPort's, it is noticed within 95 ms.
+  static constexpr double kSilence = 0.075;
 
-  /// What for: one that listens takes no control, and leaves the robot as it is.
+  /// What for. One that listens takes no control and never changes the robot's mode: it takes the stream that runs, or
+  /// asks a Roomba 400 for sensors. Only restart() asks for a stream; one that was switched off meanwhile stays silent.
   enum class Session : std::uint8_t { Drive, Listen };
 
-  /// Wakes the robot, takes control and starts the stream. The channel must outlive it.
+  /// Wakes the robot, takes control and starts the stream, unless it only listens. The channel must outlive it.
   OiRobot(ByteChannel& channel, const RobotModel& model, const oi::FirmwareQuirks& quirks = {},
           Session session = Session::Drive);
 
@@ -51,7 +53,7 @@ class OiRobot final : public Robot {
   void drive(const Motion& motion) override;
   void stop() override;
   /// After stop(): reads on until the robot says that it is Passive, for `patience` [s] by the channel's stamps at
-  /// most, and tells it again meanwhile. False if it never said so.
+  /// most, and tells it again meanwhile. False if it never said so; a Roomba 400 tells no mode.
   bool confirm_stop(double patience);
 
   /// Takes the session up again with a robot that fell silent, and that may have been started anew. Its way goes on
