@@ -46,7 +46,7 @@ class Driven {
   /// The name of the model, or its URDF file.
   virtual const std::string& model_name() const = 0;
   /// As SerialRobot does; one that is never silent never calls it.
-  virtual void while_silent(std::function<bool(double)>) {}
+  virtual void while_silent(const std::function<bool(double)>&) {}
 };
 
 /// A simulated one, as fast as the clock.
@@ -83,7 +83,7 @@ class DrivenRoomba final : public Driven {
   Robot& robot() override { return live_.robot(); }
   const RobotModel& model() const override { return model_; }
   const std::string& model_name() const override { return live_.model_name(); }
-  void while_silent(std::function<bool(double)> go_on) override { live_.robot().while_silent(std::move(go_on)); }
+  void while_silent(const std::function<bool(double)>& go_on) override { live_.robot().while_silent(go_on); }
 
  private:
   LiveRobot live_;
