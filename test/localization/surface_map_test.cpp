@@ -82,9 +82,10 @@ TEST(SurfaceMapTest, HasALineForEndsInFrontOfItAsForThoseBehind) {
   Grounds grounds(grid());
   for (double x = -1.0; x < 1.0; x += 0.05) grounds.occupy({x + 0.01, 0.025});
   Random random(7);
-  for (int i = 0; i < 4000; ++i) {
-    const Point2 end(random.uniform(-1.0, 1.0), 0.025 + 0.05 * random.normal());
-    surfaces.add(end, kBelow, 0.05, grounds.field);
+  for (int i = 0; i < 20000; ++i) {
+    const double x = random.uniform(-1.0, 1.0);
+    const double y = 0.025 + 0.03 * random.normal();
+    surfaces.add({x, y}, kBelow, 0.03, grounds.field);
   }
   for (const double away : {-0.15, -0.1, -0.05, 0.0, 0.05, 0.1, 0.15}) {
     const CellIndex c = grounds.geometry.cell_at({0.3, 0.025 + away});
