@@ -12,7 +12,7 @@ namespace scrubjay {
 struct ScanGuardParams {
   double margin = 0.01;   ///< stands this far from what is in the way [m]
   double reaction = 0.3;  ///< slow enough to get there in no less: a turn of the lidar, and time to stop [s]
-  double graze = 0.1;     ///< a share of the radius: what would touch this little of the side is the plan's affair
+  double graze = 0.05;    ///< a share of the radius: what would touch this little of the side is the plan's affair
 };
 
 /// How far a disc of `radius` around the robot's origin can go straight forwards, or backwards, until it touches a
