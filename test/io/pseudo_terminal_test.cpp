@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "all_values.hpp"
 #include "temporary_folder.hpp"
 
 namespace scrubjay {
@@ -24,12 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
-
-Bytes all_values() {
-  Bytes bytes(256);
-  std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
-  return bytes;
-}
 
 /// A program that opens the link and knows nothing of us.
 class Client {

@@ -10,7 +10,6 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
-#include <numeric>
 #include <optional>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/pseudo_terminal.hpp>
@@ -20,6 +19,7 @@
 #include <thread>
 #include <vector>
 
+#include "all_values.hpp"
 #include "temporary_folder.hpp"
 
 namespace scrubjay {
@@ -27,12 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
-
-Bytes all_values() {
-  Bytes bytes(256);
-  std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
-  return bytes;
-}
 
 /// Reads until so many came, the channel has closed, or a loaded machine had time enough.
 Bytes read_all(ByteChannel& channel, std::size_t count) {
