@@ -7,6 +7,7 @@ namespace scrubjay::reliability {
 namespace {
 
 constexpr double kMemory = 5.0;                // of what was told [s]
+constexpr std::uint64_t kMostDelay = 2;        // of a frame that a wire without silence delivers late [ticks]
 constexpr std::size_t kRememberedTicks = 300;  // a silence holds back what was on its way
 
 bool same(const sim::WheelSpeeds& a, const sim::WheelSpeeds& b) {
@@ -74,8 +75,12 @@ ByteRead ClientEnd::read(std::span<std::uint8_t> buffer) {
 }
 
 void ClientEnd::arrive(std::span<const std::uint8_t> payload) {
+  // A robot that stands sends the same over and over. Of those before the first that came, the wire swallowed all but
+  // what may still have been on its way; later ones come in order.
   const auto is_it = [&](const RobotEnd::Sent& sent) {
-    return (received_ == 0 || sent.number > last_.number) && std::ranges::equal(sent.payload, payload);
+    const bool may_come =
+        received_ == 0 ? sent.tick + kMostDelay >= robot_.sent().back().tick : sent.number > last_.number;
+    return may_come && std::ranges::equal(sent.payload, payload);
   };
   const auto found = std::find_if(robot_.sent().begin(), robot_.sent().end(), is_it);
   if (found == robot_.sent().end()) {
