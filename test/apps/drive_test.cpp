@@ -31,8 +31,7 @@ TEST(DriveTest, DrivesASimulatedRobotByKeyAndQuits) {
   TerminalCall call({"drive", own_world("room")});
   ASSERT_TRUE(call.wait_for("+0.00 m/s"));
   EXPECT_FALSE(call.is_cooked());
-  call.type("w");
-  ASSERT_TRUE(call.wait_for("+0.10 m/s"));
+  ASSERT_TRUE(call.hold_until("w", "+0.10 m/s"));
   call.forget();
   ASSERT_TRUE(call.wait_for("+0.00 m/s")) << "drives on without a key";
   call.type("+\033[D");
@@ -56,8 +55,7 @@ class InterruptedDriveTest : public testing::TestWithParam<int> {};
 TEST_P(InterruptedDriveTest, EndsAndLeavesTheTerminalAsItWas) {
   TerminalCall call({"drive", own_world("room")});
   ASSERT_TRUE(call.wait_for("+0.00 m/s"));
-  call.type("w");
-  ASSERT_TRUE(call.wait_for("+0.10 m/s"));
+  ASSERT_TRUE(call.hold_until("w", "+0.10 m/s"));
   call.send(GetParam());
   EXPECT_EQ(call.wait(), 0);
   EXPECT_TRUE(call.is_cooked());
@@ -68,8 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, InterruptedDriveTest, testing::Values(SIGINT, 
 TEST(DriveTest, CtrlZDoesNotLeaveTheRobotDriving) {
   TerminalCall call({"drive", own_world("room")});
   ASSERT_TRUE(call.wait_for("+0.00 m/s"));
-  call.type("w");
-  ASSERT_TRUE(call.wait_for("+0.10 m/s"));
+  ASSERT_TRUE(call.hold_until("w", "+0.10 m/s"));
   call.type("\x1A");
   call.forget();
   ASSERT_TRUE(call.wait_for("+0.00 m/s"));
@@ -115,8 +112,7 @@ class WiredDriveTest : public testing::Test {
 TEST_F(WiredDriveTest, DrivesWhatIsBehindThePort) {
   TerminalCall call({"drive", "--robot", "serial:" + port()});
   ASSERT_TRUE(call.wait_for("mode Safe"));
-  call.type("w");
-  EXPECT_TRUE(call.wait_for("driven 0.05 m"));
+  EXPECT_TRUE(call.hold_until("w", "driven 0.1"));
   call.type("q");
   EXPECT_EQ(call.wait(), 0);
 }
@@ -125,8 +121,7 @@ TEST_F(WiredDriveTest, StopsTheRobotWhenTheWindowIsClosed) {
   {
     TerminalCall call({"drive", "--robot", "serial:" + port()});
     ASSERT_TRUE(call.wait_for("mode Safe"));
-    call.type("w");
-    ASSERT_TRUE(call.wait_for("+0.10 m/s"));
+    ASSERT_TRUE(call.hold_until("w", "+0.10 m/s"));
     call.hang_up();
     EXPECT_GE(call.wait(), 0) << "ended by a signal, without a word to the robot";
   }

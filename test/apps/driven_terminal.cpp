@@ -79,6 +79,15 @@ bool TerminalCall::wait_for(std::string_view text) {
   return true;
 }
 
+bool TerminalCall::hold_until(std::string_view key, std::string_view text) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (shown_.find(text) == std::string::npos) {
+    type(key);
+    if (std::chrono::steady_clock::now() > end || !read_some()) return false;
+  }
+  return true;
+}
+
 void TerminalCall::hang_up() {
   if (terminal_ >= 0) ::close(terminal_);
   if (user_ >= 0) ::close(user_);

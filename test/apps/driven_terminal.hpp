@@ -22,6 +22,8 @@ class TerminalCall {
   void type(std::string_view keys) const;
   /// Reads what is on the screen until `text` is there; false if the program ends, or two minutes pass, before.
   bool wait_for(std::string_view text);
+  /// The same while a key is held, which repeats itself.
+  bool hold_until(std::string_view key, std::string_view text);
   /// Closes the terminal, as a window is closed.
   void hang_up();
   void send(int signal) const;

@@ -134,8 +134,7 @@ class CalibratedRobotTest : public LiveRobotTest {
 TEST_F(CalibratedRobotTest, IsDrivenByItsFactors) {
   TerminalCall call({"drive", "--robot", serial(), "--calibration", file_});
   ASSERT_TRUE(call.wait_for("mode Safe")) << call.shown();
-  call.type("w");
-  ASSERT_TRUE(call.wait_for("driven 0.05 m")) << call.shown();
+  ASSERT_TRUE(call.hold_until("w", "driven 0.1")) << call.shown();
   call.forget();
   call.type("q");
   EXPECT_EQ(call.wait(), 0);
