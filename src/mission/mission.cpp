@@ -26,7 +26,9 @@ Report Mission::run(std::stop_token stop) {
     const PoseEstimate& estimate = localizer_.update(*frame);
     mapper_.update(*frame, estimate);
     const Decision decision = behavior_.decide({*frame, estimate, mapper_.map(), mapper_.changed()});
-    for (Observer* observer : observers_) observer->notify({*frame, estimate, mapper_.map(), decision});
+    const Snapshot snapshot{
+        *frame, estimate, mapper_.map(), decision, mapper_.changed(), behavior_.plan(), behavior_.leftovers()};
+    for (Observer* observer : observers_) observer->notify(snapshot);
     count(*frame, estimate);
     if (const auto why = ended(*frame, estimate, decision, stop)) {
       report_.ended = *why;

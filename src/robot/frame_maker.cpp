@@ -65,7 +65,8 @@ Frame FrameMaker::make(const oi::Sensors& s, double stamp, double elapsed, const
                    s[PacketId::BatteryCharge] * 1e-3,
                    s[PacketId::BatteryCapacity] * 1e-3,
                    static_cast<double>(s[PacketId::Temperature]),
-                   oi::is_charging(oi::charging_state(s))};
+                   oi::is_charging(oi::charging_state(s)),
+                   oi::charging_state(s)};
   return frame;
 }
 

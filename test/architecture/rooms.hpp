@@ -83,14 +83,12 @@ struct ThirdParty {
 
 inline const std::vector<ThirdParty>& third_parties() {
   static const std::vector<ThirdParty> parties{
-      {"Eigen/", {}, true},       {"fmt/", {}},
-      {"box2d/", {"simulation"}}, {"urdf_", {"io"}},
-      {"urdf/", {"io"}},          {"console_bridge/", {"io"}},
-      {"yaml-cpp/", {"io"}},      {"png.h", {"io"}},
-      {"zlib.h", {"io"}},         {"octomap/", {"io"}},
-      {"sqlite3.h", {"io"}},      {"nlohmann/", {"io", "apps"}},
-      {"CLI/", {"apps"}},         {"fastcdr/", {"messages"}},
-      {"fastdds/", {"ros2"}},
+      {"Eigen/", {}, true},       {"fmt/", {}},           {"box2d/", {"simulation"}},
+      {"urdf_", {"io"}},          {"urdf/", {"io"}},      {"console_bridge/", {"io"}},
+      {"yaml-cpp/", {"io"}},      {"png.h", {"io"}},      {"zlib.h", {"io"}},
+      {"octomap/", {"io"}},       {"sqlite3.h", {"io"}},  {"nlohmann/", {"io", "apps"}},
+      {"zstd.h", {"io"}},         {"lz4frame.h", {"io"}}, {"CLI/", {"apps"}},
+      {"fastcdr/", {"messages"}}, {"fastdds/", {"ros2"}}, {"fastrtps/", {"ros2"}},
   };
   return parties;
 }

@@ -39,6 +39,8 @@ class Behavior {
   virtual Decision decide(const Situation& situation) = 0;
   /// What is left as things stand; valid until the next decision.
   virtual std::span<const Leftover> leftovers() const { return {}; }
+  /// The way that it means to drive, in the map's frame, if it plans one; valid until the next decision.
+  virtual std::span<const Point2> plan() const { return {}; }
 };
 
 }  // namespace scrubjay

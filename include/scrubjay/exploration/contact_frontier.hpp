@@ -78,6 +78,9 @@ class ContactFrontier final : public Behavior {
 
   Decision decide(const Situation& situation) override;
   std::span<const Leftover> leftovers() const override { return leftovers_; }
+  std::span<const Point2> plan() const override {
+    return state_ == State::Travel ? tracker_.ahead() : std::span<const Point2>();
+  }
 
  private:
   enum class State : std::uint8_t { Choose, Travel, Lane, Edge, Retreat, Turn, Done };

@@ -61,6 +61,7 @@ class FrontierExplorer final : public Behavior {
 
   Decision decide(const Situation& situation) override;
   std::span<const Leftover> leftovers() const override { return leftovers_; }
+  std::span<const Point2> plan() const override { return goal_ ? navigator_.path() : std::span<const Point2>(); }
 
  private:
   enum class State : std::uint8_t { Looking, Driving, Done };

@@ -57,6 +57,7 @@ class TileExplorer final : public Behavior {
   Decision decide(const Situation& situation) override;
   /// Frontier tiles, as of the last choice.
   std::span<const Leftover> leftovers() const override { return leftovers_; }
+  std::span<const Point2> plan() const override { return goal_ ? navigator_.path() : std::span<const Point2>(); }
 
  private:
   enum class State : std::uint8_t { Looking, Driving, GoingBack, Done };

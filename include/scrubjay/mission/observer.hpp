@@ -14,6 +14,9 @@ struct Snapshot {
   const PoseEstimate& estimate;
   GridView<const LogOdds> map;
   const Decision& decision;
+  CellRect changed{};                     ///< cells of the map that may have changed since the snapshot before
+  std::span<const Point2> plan{};         ///< Behavior::plan()
+  std::span<const Leftover> leftovers{};  ///< Behavior::leftovers()
 };
 
 class Observer {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <scrubjay/geometry/pose2.hpp>
 #include <scrubjay/oi/mode.hpp>
+#include <scrubjay/oi/sensor_views.hpp>
 #include <scrubjay/robot/laser_scan.hpp>
 
 namespace scrubjay {
@@ -26,6 +27,7 @@ struct Battery {
   double capacity = 0.0;     ///< [Ah]
   double temperature = 0.0;  ///< [deg C]
   bool charging = false;
+  oi::ChargingState charger = oi::ChargingState::NotCharging;  ///< what it does, from a robot that tells
 };
 
 /// All that the robot sensed in one tick (15 ms on the Open Interface, 20 ms on a TurtleBot3).
