@@ -44,15 +44,19 @@ std::filesystem::path data_folder() {
       "the robots that come with scrubjay can't be found; set SCRUBJAY_DATA_DIR to the folder that holds urdf/");
 }
 
-sim::RobotSpec find_robot(const std::string& model) {
+std::filesystem::path robot_file(const std::string& model) {
   for (const KnownRobot& robot : kRobots) {
-    if (robot.name == model) return read_robot(data_folder() / "urdf" / robot.urdf);
+    if (robot.name == model) return data_folder() / "urdf" / robot.urdf;
   }
-  if (std::filesystem::path(model).extension() == ".urdf") return read_robot(model);
+  if (std::filesystem::path(model).extension() == ".urdf") return model;
   std::vector<std::string_view> names;
   for (const KnownRobot& robot : kRobots) names.push_back(robot.name);
   throw Error("there is no model '" + model + "'; did you mean '" + std::string(nearest_word(model, names)) +
               "'? (known: " + known_robots() + ", or a file.urdf)");
+}
+
+sim::RobotSpec find_robot(const std::string& model) {
+  return read_robot(robot_file(model));
 }
 
 sim::RobotSpec find_oi_robot(const std::string& model) {

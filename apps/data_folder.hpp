@@ -13,6 +13,9 @@ namespace scrubjay::apps {
 /// Throws Error if none of them is there.
 std::filesystem::path data_folder();
 
+/// The URDF of a robot by its name, or by its path. Throws Error that lists the known names for one that isn't.
+std::filesystem::path robot_file(const std::string& model);
+
 /// A robot by its name, or by the path of a URDF file. Throws Error that lists the known names for one that isn't.
 sim::RobotSpec find_robot(const std::string& model);
 

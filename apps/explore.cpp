@@ -12,6 +12,7 @@
 #include "interrupt.hpp"
 #include "live_run.hpp"
 #include "progress.hpp"
+#include "publishing.hpp"
 #include "recorded_run.hpp"
 #include "robot_address.hpp"
 #include "run_options.hpp"
@@ -27,12 +28,29 @@ struct ExploreFlags {
   OutputFlags output;
   std::optional<double> speed;
   std::optional<std::string> out;
-  std::optional<std::string> record;
+  std::optional<std::filesystem::path> record;
+  bool zstd = false;
   OctomapFlags octomap;
 };
 
 std::filesystem::path run_folder(const ExploreFlags& flags, const std::filesystem::path& named_after) {
   return flags.out ? std::filesystem::path(*flags.out) : std::filesystem::path("out") / named_after.stem();
+}
+
+/// Where to record bytes, if that is asked for.
+std::optional<std::filesystem::path> wire_recording(const ExploreFlags& flags) {
+  return flags.record && !is_bag(*flags.record) ? flags.record : std::nullopt;
+}
+
+/// Where to record messages, if that is asked for.
+std::optional<std::filesystem::path> bag_recording(const ExploreFlags& flags) {
+  return flags.record && is_bag(*flags.record) ? flags.record : std::nullopt;
+}
+
+/// Throws Error where there is nothing that could be packed.
+void check_zstd(const ExploreFlags& flags) {
+  if (!flags.zstd || (flags.record && flags.record->extension() == ".mcap")) return;
+  throw Error("--zstd packs an .mcap; want --record FILE.mcap with it");
 }
 
 void expect_robot(const RunResult& run) {
@@ -49,8 +67,9 @@ void explore_simulated(const ExploreFlags& flags) {
   // What can't be made is refused before anything is written.
   make_strategy(scenario.strategy, strategy_setting(scenario, stage.robot.model));
   make_estimation(scenario, stage.robot.model);
-  if (flags.record && !stage.robot.model.open_interface) {
-    throw Error(fmt::format("--record keeps the bytes of the Open Interface, which {} doesn't speak", scenario.model));
+  if (wire_recording(flags) && !stage.robot.model.open_interface) {
+    throw Error(fmt::format("an .oilog keeps the bytes of the Open Interface, which {} doesn't speak; want an .mcap",
+                            scenario.model));
   }
   const GroundTruth truth = truth_of(stage, scenario.resolution);
   const std::filesystem::path folder = run_folder(flags, scenario.world);
@@ -59,12 +78,15 @@ void explore_simulated(const ExploreFlags& flags) {
   const Interrupt interrupt;
   RunOptions options;
   options.speed = flags.speed.value_or(0.0);
-  if (flags.record) options.record = *flags.record;
+  options.record = wire_recording(flags);
+  Publishing publishing(bag_recording(flags), flags.zstd);
+  if (publishing.wanted()) options.publishing = &publishing;
   std::optional<Progress> progress;
   if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(&truth);
   const RunResult run = run_simulated(scenario, stage, truth, options, interrupt.token());
   progress.reset();
   deliver(run, folder, flags.octomap, flags.output);
+  publishing.close();
   expect_robot(run);
 }
 
@@ -85,7 +107,9 @@ void explore_live(const ExploreFlags& flags, const SerialAddress& address) {
   const auto& calibration_file = flags.scenario.calibration_file;
   if (calibration_file) scenario.calibration = calibration_for(scenario.model, *calibration_file);  // or refuse it
   LiveOptions options;
-  if (flags.record) options.record = *flags.record;
+  options.record = wire_recording(flags);
+  Publishing publishing(bag_recording(flags), flags.zstd);
+  if (publishing.wanted()) options.publishing = &publishing;
   std::optional<Progress> progress;
   if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(nullptr);
   const RunResult run = run_live(scenario, live.robot(), options, interrupt.token());
@@ -93,6 +117,7 @@ void explore_live(const ExploreFlags& flags, const SerialAddress& address) {
   progress.reset();
   deliver(run, folder, flags.octomap, flags.output);
   live.robot().close_recording();
+  publishing.close();
   expect_robot(run);
 }
 
@@ -111,6 +136,7 @@ void explore_recorded(const ExploreFlags& flags, const InRecording& recording) {
 
 void explore(const ExploreFlags& flags) {
   check_octomap(flags.octomap);
+  check_zstd(flags);
   const RobotAddress address = parse_robot_address(flags.robot);
   if (const auto* serial = std::get_if<SerialAddress>(&address)) return explore_live(flags, *serial);
   if (const auto* recording = std::get_if<InRecording>(&address)) return explore_recorded(flags, *recording);
@@ -126,7 +152,10 @@ void add_explore(CLI::App& app) {
   command->add_option("--robot", flags->robot, "sim, serial:PATH[@BAUD] or log:FILE (sim)");
   command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)")->check(number);
   command->add_option("--out", flags->out, "folder for the results (out/WORLD)");
-  command->add_option("--record", flags->record, "record all bytes to this .oilog");
+  command->add_option(
+      "--record", flags->record,
+      "record to this file: messages to an .mcap, bytes to an .oilog;\nor messages to a folder of rosbag2");
+  command->add_flag("--zstd", flags->zstd, "pack the .mcap that is recorded");
   add_octomap_flags(*command, flags->octomap);
   add_output_flags(*command, flags->output);
   command->callback([flags] { explore(*flags); });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <scrubjay/error.hpp>
+#include <scrubjay/io/bag.hpp>
 #include <scrubjay/io/calibration_file.hpp>
 #include <scrubjay/io/carmen_log.hpp>
 #include <scrubjay/io/file_kind.hpp>
@@ -129,6 +130,29 @@ std::string describe_calibration(const std::filesystem::path& path) {
   return text;
 }
 
+std::string describe_bag(const std::filesystem::path& path) {
+  const std::unique_ptr<BagReader> bag = open_bag(path);
+  std::vector<std::size_t> counts;
+  std::optional<std::int64_t> first;
+  std::int64_t last = 0;
+  while (const auto message = bag->next()) {
+    counts.resize(std::max(counts.size(), message->topic + 1));
+    ++counts[message->topic];
+    if (!first) first = message->nanoseconds;
+    last = message->nanoseconds;
+  }
+  const std::vector<BagTopic>& topics = bag->topics();
+  counts.resize(topics.size());
+  std::string text =
+      fmt::format("length: {:.3f} s\nwhole: {}\ntopics: {}\n", first ? 1e-9 * static_cast<double>(last - *first) : 0.0,
+                  bag->cut() ? "no, cut or damaged at the end" : "yes", topics.size());
+  for (std::size_t i = 0; i < topics.size(); ++i) {
+    text += fmt::format("  {:<24} {:>8}  {}{}\n", topics[i].name, counts[i], topics[i].type,
+                        topics[i].qos.durability == ros::Durability::TransientLocal ? ", latched" : "");
+  }
+  return text;
+}
+
 std::string describe(FileKind kind, const std::string& file) {
   switch (kind) {
     case FileKind::Recording:
@@ -154,12 +178,14 @@ std::string describe(FileKind kind, const std::string& file) {
       return describe_octomap(file);
     case FileKind::Calibration:
       return describe_calibration(file);
+    case FileKind::Bag:
+      return describe_bag(file);
     case FileKind::Unknown:
       break;
   }
   throw Error(
       file +
-      ": is none of a world, map, plan, recording, CARMEN log, scenario, robot, calibration, trajectory, OctoMap "
+      ": is none of a world, map, plan, recording, bag, CARMEN log, scenario, robot, calibration, trajectory, OctoMap "
       "tree or image; want one of these");
 }
 

@@ -11,6 +11,7 @@
 #include <scrubjay/robot/calibrated_robot.hpp>
 
 #include "data_folder.hpp"
+#include "publishing.hpp"
 #include "simulated_run.hpp"
 
 namespace scrubjay::apps {
@@ -75,10 +76,12 @@ RunResult run_live(const Scenario& scenario, SerialRobot& robot, const LiveOptio
   Track track;
   mission.watch(track);
   if (options.onlooker != nullptr) mission.watch(*options.onlooker);
+  if (options.publishing != nullptr) mission.watch(options.publishing->begin(scenario, model, false));
 
   RunResult run;
   run.scenario = scenario;
   run.report = mission.run(stop);
+  if (options.publishing != nullptr) options.publishing->finish(estimation.mapper->map());
   // The session is over: nobody else writes to the recording now.
   if (recording != nullptr) recording->record_end({run.report.frames, std::string(to_string(run.report.ended))});
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

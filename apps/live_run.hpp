@@ -11,6 +11,8 @@
 
 namespace scrubjay::apps {
 
+class Publishing;
+
 /// Connects to the robot at `address`. `model` is the one that is expected; without it, the one that comes with the
 /// dialect that the robot speaks. Says on stderr what there is to say, unless `quiet`. Throws Error.
 class LiveRobot {
@@ -32,6 +34,7 @@ class LiveRobot {
 struct LiveOptions {
   std::optional<std::filesystem::path> record;  ///< where to record the bytes
   Observer* onlooker = nullptr;                 ///< somebody who looks on; may be nobody
+  Publishing* publishing = nullptr;             ///< tells others; may be nobody
 };
 
 /// Runs the scenario on the robot, which stands afterwards and may charge. The recording is left to be closed by

@@ -74,24 +74,6 @@ std::optional<RecordedEnd> end_of(const std::filesystem::path& file) {
   return reader.mission_end();
 }
 
-/// The world that the robot was in. A real one isn't in any file.
-struct KnownWorld {
-  Stage stage;
-  GroundTruth truth;
-};
-
-std::optional<KnownWorld> find_world(const Recording& recording, const Scenario& scenario) {
-  if (scenario.world.empty()) return std::nullopt;
-  try {
-    Stage stage = set_stage(scenario);
-    GroundTruth truth = truth_of(stage, scenario.resolution);
-    return KnownWorld{std::move(stage), std::move(truth)};
-  } catch (const Error& error) {
-    fmt::print(stderr, "scrubjay: {}: replayed without scores: {}\n", recording.name, error.what());
-    return std::nullopt;
-  }
-}
-
 void expect_frames(const Recording& recording, const Scenario& scenario, const Report& report) {
   if (report.frames > 0) return;
   const std::string why = recording.reader.cut() ? "cut before its first whole frame"
@@ -114,6 +96,18 @@ Recording open_recording(const std::filesystem::path& file) {
   Scenario scenario = parse_scenario(reader.scenario(), file.string() + " (scenario)");
   const bool is_ours = !scenario.strategy.empty();
   return {file.string(), std::move(reader), std::move(scenario), end_of(file), is_ours};
+}
+
+std::optional<RunTruth> find_truth(const std::string& name, const RunResult& run) {
+  if (run.scenario.world.empty()) return std::nullopt;
+  try {
+    const Stage stage = set_stage(run.scenario);
+    const GroundTruth truth = truth_of(stage, run.scenario.resolution);
+    return compare_with_truth(stage, truth, run.map.view(), run.trajectory);
+  } catch (const Error& error) {
+    fmt::print(stderr, "scrubjay: {}: replayed without scores: {}\n", name, error.what());
+    return std::nullopt;
+  }
 }
 
 RunResult run_recorded(Recording& recording, const Scenario& scenario, double speed, const std::stop_token& stop) {
@@ -149,8 +143,7 @@ RunResult run_recorded(Recording& recording, const Scenario& scenario, double sp
   run.trajectory = track.points();
   run.bumps = track.bumps();
   run.robot_radius = model.radius;
-  const std::optional<KnownWorld> known = find_world(recording, scenario);
-  if (known) run.truth = compare_with_truth(known->stage, known->truth, run.map.view(), run.trajectory);
+  run.truth = find_truth(recording.name, run);
   return run;
 }
 

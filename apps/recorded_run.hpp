@@ -26,6 +26,10 @@ struct Recording {
 /// Throws Error for what is no recording, or was cut before its scenario ends.
 Recording open_recording(const std::filesystem::path& file);
 
+/// A replayed run beside the world that it was in, if the scenario names one that can be read: a real one is in no
+/// file. Says on stderr that it can't. `name`: of what was replayed.
+std::optional<RunTruth> find_truth(const std::string& name, const RunResult& run);
+
 /// Decides anew from the same frames, with `scenario` in place of the recording's; the robot of a recording goes where
 /// it went. Without a strategy nobody decides anything, and only the map is made. `speed`: times real time; 0 is as
 /// fast as possible.

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "recorded_run.hpp"
+#include "replay_bag.hpp"
 #include "replay_carmen.hpp"
 #include "summary.hpp"
 
@@ -18,17 +19,19 @@ namespace {
 void replay(const ReplayFlags& flags) {
   expect_speed(flags.speed);
   check_octomap(flags.octomap);
-  if (file_kind(flags.log) == FileKind::CarmenLog) {
-    if (flags.calibration_file)
-      throw Error(fmt::format("{}: a CARMEN log tells no wheels; want no --calibration", flags.log));
-    return replay_carmen(flags);
+  const FileKind kind = file_kind(flags.log);
+  const bool tells_wheels = kind != FileKind::CarmenLog && kind != FileKind::Bag;
+  if (flags.calibration_file && !tells_wheels) {
+    throw Error(fmt::format("{}: a {} tells no wheels; want no --calibration", flags.log, to_string(kind)));
   }
+  if (kind == FileKind::CarmenLog) return replay_carmen(flags);
   if (flags.carmen != CarmenFlags{}) {
     throw Error(
         fmt::format("{}: no CARMEN log; want none of --poses, --resolution, --forward-cone, --robot-radius, "
                     "--max-range and --relations with it",
                     flags.log));
   }
+  if (kind == FileKind::Bag) return replay_bag(flags);
   Recording recording = open_recording(flags.log);
   Scenario scenario = recording.scenario;
   if (flags.calibration_file) scenario.calibration = calibration_for(scenario.model, *flags.calibration_file);
@@ -44,7 +47,7 @@ void replay(const ReplayFlags& flags) {
 void add_replay(CLI::App& app) {
   CLI::App* command = app.add_subcommand("replay", "Map from a recording");
   const auto flags = std::make_shared<ReplayFlags>();
-  command->add_option("LOG", flags->log, "an .oilog of explore --record, record or tap;\nor a CARMEN log (.gz)")
+  command->add_option("LOG", flags->log, "an .oilog, an .mcap or a folder of rosbag2;\nor a CARMEN log (.gz)")
       ->required();
   command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)")->check(number);
   command->add_option("--out", flags->out, "folder for the results (out/LOG)");

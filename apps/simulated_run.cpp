@@ -17,6 +17,7 @@
 #include <scrubjay/world/start.hpp>
 
 #include "data_folder.hpp"
+#include "publishing.hpp"
 #include "random_streams.hpp"
 
 namespace scrubjay::apps {
@@ -132,10 +133,12 @@ RunResult run_simulated(const Scenario& scenario, const Stage& stage, const Grou
   mission.watch(track);
   mission.watch(truth_track);
   if (options.onlooker != nullptr) mission.watch(*options.onlooker);
+  if (options.publishing != nullptr) mission.watch(options.publishing->begin(scenario, model, true));
 
   RunResult run;
   run.scenario = scenario;
   run.report = mission.run(stop);
+  if (options.publishing != nullptr) options.publishing->finish(estimation.mapper->map());
   simulated.close_recording(run.report);
   run.cpu_time = thread_cpu_time() - cpu_begin;
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_begin).count();

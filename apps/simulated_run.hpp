@@ -16,6 +16,8 @@
 
 namespace scrubjay::apps {
 
+class Publishing;
+
 /// What runs read and share: a world with its index, a robot, a noise profile.
 struct Stage {
   World world;
@@ -39,6 +41,7 @@ struct RunOptions {
   double speed = 0.0;                           ///< times real time; 0 is as fast as possible
   std::optional<std::filesystem::path> record;  ///< where to record the bytes
   Observer* onlooker = nullptr;                 ///< somebody who looks on; may be nobody
+  Publishing* publishing = nullptr;             ///< tells others; may be nobody
 };
 
 /// Runs the scenario on its stage, and scores it. The same scenario gives the same result, but for the times it took.

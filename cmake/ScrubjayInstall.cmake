@@ -10,7 +10,7 @@ configure_package_config_file(cmake/scrubjay-config.cmake.in ${PROJECT_BINARY_DI
   INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/scrubjay-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/scrubjay-config.cmake ${PROJECT_BINARY_DIR}/scrubjay-config-version.cmake
-  DESTINATION ${package_dir})
+  cmake/Findlz4.cmake DESTINATION ${package_dir})
 install(FILES package.xml LICENSE DESTINATION ${data_dir})
 
 install(FILES include/scrubjay/scrubjay_c.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scrubjay)

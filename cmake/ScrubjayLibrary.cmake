@@ -4,7 +4,8 @@
 #
 # Makes scrubjay_<room> (alias scrubjay::<room>) from src/<room>, and the component <room> of the installed package.
 # CORE rooms may be embedded: no exceptions, no RTTI. USES are rooms below, seen by users of this one. LINKS are imported
-# targets of third parties, kept inside; the package that brings one is the name before its `::`, or its whole name.
+# targets of third parties, kept inside; the package that brings one is the name before its `::`, or its whole name, or
+# the name behind it where there is no such package (SQLite::SQLite3).
 function(scrubjay_library room)
   cmake_parse_arguments(PARSE_ARGV 1 arg "CORE" "" "SOURCES;USES;LINKS")
   if(arg_UNPARSED_ARGUMENTS)
@@ -35,6 +36,9 @@ function(scrubjay_library room)
       message(FATAL_ERROR "scrubjay_library(${room}): LINKS ${link} is not an imported target, as in PNG::PNG")
     endif()
     string(REGEX REPLACE "::.*" "" package ${link})
+    if(NOT ${package}_FOUND)
+      string(REGEX REPLACE ".*::" "" package ${link})
+    endif()
     list(APPEND packages ${package})
   endforeach()
   scrubjay_component(${room} USES ${arg_USES} PACKAGES ${packages})

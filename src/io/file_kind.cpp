@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <scrubjay/io/file_kind.hpp>
 #include <string>
 
@@ -23,6 +25,17 @@ bool has_record(std::string_view text, std::string_view word) {
     if (begins_line && at + word.size() < text.size() && text[at + word.size()] == ' ') return true;
   }
   return false;
+}
+
+/// Bags are large: only their first bytes are looked at.
+bool is_bag(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return true;
+  std::array<char, 16> begin{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), begin.size());
+  const std::string_view text(begin.data(), begin.size());
+  return text.starts_with("\x89MCAP0\r\n") || text.starts_with("SQLite format 3");
 }
 
 bool is_trajectory(std::string_view text) {
@@ -57,6 +70,8 @@ std::string_view to_string(FileKind kind) {
       return "OctoMap tree";
     case FileKind::Calibration:
       return "calibration";
+    case FileKind::Bag:
+      return "bag";
     case FileKind::Unknown:
       return "unknown";
   }
@@ -64,6 +79,7 @@ std::string_view to_string(FileKind kind) {
 }
 
 FileKind file_kind(const std::filesystem::path& path) {
+  if (is_bag(path)) return FileKind::Bag;
   const std::vector<std::uint8_t> file = read_file(path);
   std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
   std::string content;

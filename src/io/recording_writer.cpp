@@ -1,15 +1,9 @@
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/recording.hpp>
-#include <utility>
 
+#include "growing_file.hpp"
 #include "recording_format.hpp"
 
 namespace scrubjay {
@@ -17,15 +11,6 @@ namespace {
 
 constexpr std::size_t kBufferSize = 1 << 16;
 constexpr std::int64_t kBufferTime = 1'000'000'000;  // [ns]
-
-Error write_error(const std::string& name, int error) {
-  return Error(fmt::format("{}: cannot write the recording: {}", name, std::strerror(error)), Error::Kind::Failure);
-}
-
-bool is_regular(const std::filesystem::path& path) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error));
-}
 
 bool is_whole_recording(const std::filesystem::path& path) {
   try {
@@ -38,44 +23,17 @@ bool is_whole_recording(const std::filesystem::path& path) {
   }
 }
 
-/// Renames a file that is there, and gives its new name; none if there is no such file to keep. A whole recording that
-/// an earlier run has put aside, and that was killed before its own one was whole, stays where it is instead.
-std::optional<std::filesystem::path> move_aside(const std::filesystem::path& path) {
-  if (!is_regular(path)) return std::nullopt;
-  std::filesystem::path aside = path;
-  aside += "~";
-  if (is_regular(aside) && is_whole_recording(aside) && !is_whole_recording(path)) return aside;
-  if (::rename(path.c_str(), aside.c_str()) != 0) throw write_error(path.string(), errno);
-  return aside;
-}
+constexpr GrowingFile::Kind kRecording{"the recording", &is_whole_recording};
 
 }  // namespace
 
-RecordingWriter::RecordingWriter(const std::filesystem::path& path, const std::string& scenario)
-    : name_(path.string()), older_(move_aside(path)) {
-  file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-  if (file_ < 0) {
-    const int error = errno;
-    give_up();
-    throw write_error(name_, error);
-  }
+RecordingWriter::RecordingWriter(const std::filesystem::path& path, const std::string& scenario) {
   buffer_.reserve(kBufferSize + 1024);
   buffer_.assign(recording::kFileHead.begin(), recording::kFileHead.end());
   checksum_ = recording::checksum(0, buffer_);
   append(recording::kScenario, 0, {reinterpret_cast<const std::uint8_t*>(scenario.data()), scenario.size()});
-  hand_over();
-  if (failed_) {
-    ::close(file_);
-    if (std::filesystem::is_regular_file(path)) ::unlink(path.c_str());  // a part of the head is no recording
-    give_up();
-    throw write_error(name_, failure_);
-  }
-}
-
-/// Puts the older file back.
-void RecordingWriter::give_up() {
-  if (older_) ::rename(older_->c_str(), name_.c_str());
-  older_.reset();
+  file_ = std::make_unique<GrowingFile>(path, kRecording, std::as_bytes(std::span(buffer_)));
+  buffer_.clear();
 }
 
 RecordingWriter::~RecordingWriter() {
@@ -87,7 +45,7 @@ RecordingWriter::~RecordingWriter() {
 }
 
 void RecordingWriter::record(Direction direction, double stamp, std::span<const std::uint8_t> bytes) {
-  if (failed_ || file_ < 0 || bytes.empty()) return;
+  if (!file_->writable() || bytes.empty()) return;
   const std::int64_t now = stamp_to_nanoseconds(stamp);
   if (direction == Direction::Sent) {
     append(recording::kSent, now, bytes);
@@ -107,11 +65,12 @@ void RecordingWriter::record(Direction direction, double stamp, std::span<const 
   const bool late = now - handed_over_at_ >= kBufferTime || now < handed_over_at_;
   if (buffer_.size() < kBufferSize && !late) return;
   handed_over_at_ = now;
-  hand_over();
+  file_->append(std::as_bytes(std::span(buffer_)));
+  buffer_.clear();
 }
 
 void RecordingWriter::record_end(const RecordedEnd& end) {
-  if (failed_ || file_ < 0) return;
+  if (!file_->writable()) return;
   std::vector<std::uint8_t> payload(recording::kMaxVarintSize);
   payload.resize(recording::put_varint(payload.data(), end.frames));
   payload.insert(payload.end(), end.why.begin(), end.why.end());
@@ -131,46 +90,19 @@ void RecordingWriter::append(std::uint8_t kind, std::int64_t nanoseconds, std::s
   last_stamp_ = nanoseconds;
 }
 
-void RecordingWriter::hand_over() {
-  std::span<const std::uint8_t> rest = buffer_;
-  while (!rest.empty() && !failed_) {
-    const ssize_t written = ::write(file_, rest.data(), rest.size());
-    if (written >= 0) {
-      rest = rest.subspan(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
-      failed_ = true;
-      failure_ = errno;
-    }
-  }
-  buffer_.clear();
-}
-
-void RecordingWriter::throw_failure() {
-  if (failure_ != 0) throw write_error(name_, std::exchange(failure_, 0));
-}
-
 void RecordingWriter::flush() {
-  if (file_ >= 0) hand_over();
-  throw_failure();
+  file_->append(std::as_bytes(std::span(buffer_)));
+  buffer_.clear();
+  file_->throw_failure();
 }
 
 void RecordingWriter::close() {
-  if (file_ >= 0) {
+  if (file_->open()) {
     append(recording::kEnd, last_stamp_, {});
-    hand_over();
-    // What can't be synced (a pipe) needn't be: EINVAL says so.
-    const bool synced = failed_ || ::fsync(file_) == 0 || errno == EINVAL;
-    const int sync_error = errno;
-    const bool closed = ::close(std::exchange(file_, -1)) == 0;
-    if (!failed_ && !(synced && closed)) {
-      failed_ = true;
-      failure_ = synced ? errno : sync_error;
-    }
-    if (failed_) give_up();
-    if (older_) ::unlink(older_->c_str());
-    older_.reset();
+    file_->complete(std::as_bytes(std::span(buffer_)));
+    buffer_.clear();
   }
-  throw_failure();
+  file_->throw_failure();
 }
 
 }  // namespace scrubjay

@@ -1,40 +1,18 @@
 #include "urdf_body.hpp"
 
-#include <console_bridge/console.h>
 #include <fmt/format.h>
-#include <urdf_parser/urdf_parser.h>
 
 #include <array>
 #include <scrubjay/error.hpp>
 
-#include "file_content.hpp"
+#include "urdf_model.hpp"
 
 namespace scrubjay {
 namespace {
 
-/// Keeps urdfdom's complaints: the last one is the reason.
-class LastComplaint : public console_bridge::OutputHandler {
- public:
-  void log(const std::string& text, console_bridge::LogLevel, const char*, int) override { last_ = text; }
-  const std::string& last() const { return last_; }
-
- private:
-  std::string last_;
-};
-
 class Body {
  public:
-  Body(const std::filesystem::path& path) : name_(path.string()) {
-    const std::vector<std::uint8_t> file = read_file(path);
-    LastComplaint complaint;
-    console_bridge::useOutputHandler(&complaint);
-    model_ = urdf::parseURDF(std::string(file.begin(), file.end()));
-    console_bridge::restorePreviousOutputHandler();
-    if (!model_) {
-      std::string reason = complaint.last().substr(0, complaint.last().find('\n'));
-      fail(fmt::format("{}; want a URDF robot", reason.empty() ? "it isn't XML" : reason));
-    }
-  }
+  explicit Body(const std::filesystem::path& path) : name_(path.string()), model_(read_urdf(path).model) {}
 
   const std::string& robot_name() const { return model_->getName(); }
 

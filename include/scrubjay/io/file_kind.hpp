@@ -20,13 +20,14 @@ enum class FileKind : std::uint8_t {
   CarmenLog,
   Octomap,
   Calibration,
+  Bag,
   Unknown
 };
 
 /// "recording", "world", ...
 std::string_view to_string(FileKind kind);
 
-/// Looks at the beginning, whatever the name. Throws Error if the file can't be read.
+/// Looks at the beginning, whatever the name; a folder may be a bag. Throws Error if the file can't be read.
 FileKind file_kind(const std::filesystem::path& path);
 
 }  // namespace scrubjay

@@ -45,6 +45,8 @@ class ChunkHistory {
   std::array<std::array<std::uint8_t, kMaxLength>, kMaxLength> chunks_{};
 };
 
+class GrowingFile;
+
 /// Appends to a recording.
 ///
 /// Bytes are handed to the system every 64 KiB and every second of stamps; whatever interrupts the writing, all whole
@@ -73,15 +75,8 @@ class RecordingWriter {
 
  private:
   void append(std::uint8_t kind, std::int64_t nanoseconds, std::span<const std::uint8_t> payload);
-  void hand_over();
-  void throw_failure();
-  void give_up();
 
-  std::string name_;
-  std::optional<std::filesystem::path> older_;  ///< where the older file of that name is
-  int file_ = -1;
-  int failure_ = 0;  ///< errno of the first failure that was not told yet
-  bool failed_ = false;
+  std::unique_ptr<GrowingFile> file_;
   std::vector<std::uint8_t> buffer_;
   std::unique_ptr<ChunkHistory> history_ = std::make_unique<ChunkHistory>();
   std::int64_t last_stamp_ = 0;      ///< [ns]

@@ -1,0 +1,36 @@
+/// \file
+/// What a run tells others in messages of ROS 2, and who they are.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <scrubjay/io/bag_recorder.hpp>
+#include <scrubjay/messages/publications.hpp>
+#include <scrubjay/mission/scenario.hpp>
+
+namespace scrubjay::apps {
+
+/// Where to record, unless the file's name says that its bytes are wanted (.oilog).
+bool is_bag(const std::filesystem::path& recording);
+
+class Publishing {
+ public:
+  /// Nobody is told anything until something of it is asked for. `zstd`: the bag is packed. Throws Error if it can't be
+  /// begun.
+  explicit Publishing(const std::optional<std::filesystem::path>& bag, bool zstd = false);
+
+  bool wanted() const { return !sinks_.empty(); }
+  /// The observer that publishes, for a run of this scenario by this robot.
+  ros::Publications& begin(const Scenario& scenario, const RobotModel& robot, bool simulated);
+  /// Publishes what the mission left, and completes the bag. Throws Error if that failed.
+  void finish(GridView<const LogOdds> map);
+  void close();
+
+ private:
+  std::unique_ptr<BagRecorder> bag_;
+  std::vector<ros::MessageSink*> sinks_;
+  std::optional<ros::Publications> publications_;
+};
+
+}  // namespace scrubjay::apps
