@@ -1,0 +1,41 @@
+/// \file
+/// A robot that others drive.
+#pragma once
+
+#include <scrubjay/behavior/behavior.hpp>
+#include <scrubjay/planning/cost_map.hpp>
+#include <scrubjay/planning/navigator.hpp>
+#include <scrubjay/robot/robot_model.hpp>
+#include <scrubjay/ros2/commands.hpp>
+
+namespace scrubjay::ros {
+
+struct RemoteDriveParams {
+  double timeout = 0.5;  ///< a velocity that isn't told again for this long is over [s]
+};
+
+/// Drives by the velocities that are told; or, once a goal is, to the goal by the map so far. The newer of the two has
+/// the say. Never ends by itself.
+///
+/// A robot without a lidar feels its way: it may cross unknown floor, and stops at what it bumps into.
+class RemoteDrive final : public Behavior {
+ public:
+  /// `commands` must outlive it.
+  RemoteDrive(const RobotModel& robot, Commands& commands, const RemoteDriveParams& params = {});
+
+  Decision decide(const Situation& situation) override;
+  std::span<const Point2> plan() const override { return to_goal_ ? navigator_.path() : std::span<const Point2>(); }
+
+ private:
+  Decision drive_to_goal(const Situation& situation, const CellRect& costs_changed);
+
+  Commands& commands_;
+  RemoteDriveParams params_;
+  CostMap costs_;
+  Navigator navigator_;
+  bool to_goal_ = false;
+  Motion velocity_;
+  double velocity_stamp_ = 0.0;  // when it was told last [s]
+};
+
+}  // namespace scrubjay::ros
