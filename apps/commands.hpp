@@ -11,6 +11,7 @@ inline constexpr int kSuccess = 0;
 inline constexpr int kFailure = 1;     ///< the run failed
 inline constexpr int kWrongInput = 2;  ///< wrong usage or input
 
+void add_bridge(CLI::App& app);
 void add_calibrate(CLI::App& app);
 void add_doctor(CLI::App& app);
 void add_drive(CLI::App& app);

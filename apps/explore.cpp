@@ -15,6 +15,7 @@
 #include "publishing.hpp"
 #include "recorded_run.hpp"
 #include "robot_address.hpp"
+#include "ros_node.hpp"
 #include "run_options.hpp"
 #include "simulated_run.hpp"
 #include "summary.hpp"
@@ -31,6 +32,7 @@ struct ExploreFlags {
   std::optional<std::filesystem::path> record;
   bool zstd = false;
   OctomapFlags octomap;
+  RosFlags ros;
 };
 
 std::filesystem::path run_folder(const ExploreFlags& flags, const std::filesystem::path& named_after) {
@@ -77,13 +79,17 @@ void explore_simulated(const ExploreFlags& flags) {
 
   const Interrupt interrupt;
   RunOptions options;
-  options.speed = flags.speed.value_or(0.0);
+  options.speed = flags.speed.value_or(flags.ros.wanted ? 1.0 : 0.0);  // others see it as it goes
   options.record = wire_recording(flags);
+  std::optional<RosNode> node;
+  if (flags.ros.wanted) node.emplace(flags.ros, flags.output.quiet);
   Publishing publishing(bag_recording(flags), flags.zstd);
+  if (node) publishing.tell(node->sink());
   if (publishing.wanted()) options.publishing = &publishing;
   std::optional<Progress> progress;
   if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(&truth);
   const RunResult run = run_simulated(scenario, stage, truth, options, interrupt.token());
+  if (node) node->finish();
   progress.reset();
   deliver(run, folder, flags.octomap, flags.output);
   publishing.close();
@@ -108,12 +114,16 @@ void explore_live(const ExploreFlags& flags, const SerialAddress& address) {
   if (calibration_file) scenario.calibration = calibration_for(scenario.model, *calibration_file);  // or refuse it
   LiveOptions options;
   options.record = wire_recording(flags);
+  std::optional<RosNode> node;
+  if (flags.ros.wanted) node.emplace(flags.ros, flags.output.quiet);
   Publishing publishing(bag_recording(flags), flags.zstd);
+  if (node) publishing.tell(node->sink());
   if (publishing.wanted()) options.publishing = &publishing;
   std::optional<Progress> progress;
   if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(nullptr);
   const RunResult run = run_live(scenario, live.robot(), options, interrupt.token());
   interrupt.robot_stands();
+  if (node) node->finish();
   progress.reset();
   deliver(run, folder, flags.octomap, flags.output);
   live.robot().close_recording();
@@ -122,6 +132,7 @@ void explore_live(const ExploreFlags& flags, const SerialAddress& address) {
 }
 
 void explore_recorded(const ExploreFlags& flags, const InRecording& recording) {
+  if (flags.ros.wanted) throw Error("--ros2 is for a robot that is there; want none with a recorded one");
   if (flags.record) throw Error("--record is for a robot that is there; want none with a recorded one");
   expect_speed(flags.speed.value_or(0.0));
   Recording opened = open_recording(recording.file);
@@ -157,6 +168,7 @@ void add_explore(CLI::App& app) {
       "record to this file: messages to an .mcap, bytes to an .oilog;\nor messages to a folder of rosbag2");
   command->add_flag("--zstd", flags->zstd, "pack the .mcap that is recorded");
   add_octomap_flags(*command, flags->octomap);
+  add_ros_flags(*command, flags->ros);
   add_output_flags(*command, flags->output);
   command->callback([flags] { explore(*flags); });
 }

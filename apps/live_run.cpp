@@ -13,6 +13,7 @@
 #include "data_folder.hpp"
 #include "publishing.hpp"
 #include "simulated_run.hpp"
+#include "steering.hpp"
 
 namespace scrubjay::apps {
 namespace {
@@ -69,10 +70,15 @@ RunResult run_live(const Scenario& scenario, SerialRobot& robot, const LiveOptio
   }
   std::optional<CalibratedRobot> calibrated;
   if (scenario.calibration) calibrated.emplace(robot, *scenario.calibration, model.drive);
-  const Estimation estimation = make_estimation(scenario, model);
-  const std::unique_ptr<Behavior> strategy = make_strategy(scenario.strategy, strategy_setting(scenario, model));
-  Mission mission(calibrated ? static_cast<Robot&>(*calibrated) : robot, *estimation.localizer, *estimation.mapper,
-                  *strategy, {scenario.max_time});
+  Estimation estimation = make_estimation(scenario, model);
+  if (options.steering != nullptr) options.steering->correct(estimation, model);
+  const std::unique_ptr<Behavior> strategy = options.steering != nullptr
+                                                 ? options.steering->behavior(model)
+                                                 : make_strategy(scenario.strategy, strategy_setting(scenario, model));
+  Robot& driven = calibrated ? static_cast<Robot&>(*calibrated) : robot;
+  const std::unique_ptr<Robot> between = options.steering != nullptr ? options.steering->between(driven) : nullptr;
+  Mission mission(between ? *between : driven, *estimation.localizer, *estimation.mapper, *strategy,
+                  {scenario.max_time});
   Track track;
   mission.watch(track);
   if (options.onlooker != nullptr) mission.watch(*options.onlooker);

@@ -12,6 +12,7 @@
 namespace scrubjay::apps {
 
 class Publishing;
+class Steering;
 
 /// Connects to the robot at `address`. `model` is the one that is expected; without it, the one that comes with the
 /// dialect that the robot speaks. Says on stderr what there is to say, unless `quiet`. Throws Error.
@@ -35,6 +36,7 @@ struct LiveOptions {
   std::optional<std::filesystem::path> record;  ///< where to record the bytes
   Observer* onlooker = nullptr;                 ///< somebody who looks on; may be nobody
   Publishing* publishing = nullptr;             ///< tells others; may be nobody
+  Steering* steering = nullptr;                 ///< in place of the scenario's strategy, if anybody
 };
 
 /// Runs the scenario on the robot, which stands afterwards and may charge. The recording is left to be closed by

@@ -11,8 +11,10 @@
 #include <scrubjay/error.hpp>
 #include <scrubjay/nearest_word.hpp>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
+#include "ros_node.hpp"
 
 namespace scrubjay::apps {
 namespace {
@@ -63,7 +65,7 @@ void expect_printed() {
   throw Error(fmt::format("cannot write the output: {}", std::strerror(errno)), Error::Kind::Failure);
 }
 
-int run(int argc, char** argv) {
+int run(std::vector<std::string> words) {
   CLI::App app("Maps rooms with robots that can barely see.", "scrubjay");
   app.set_version_flag("--version", "scrubjay " SCRUBJAY_VERSION);
   app.require_subcommand(1);
@@ -73,6 +75,7 @@ int run(int argc, char** argv) {
   add_compare(app);
   add_calibrate(app);
   add_emulate(app);
+  add_bridge(app);
   add_record(app);
   add_tap(app);
   add_render(app);
@@ -80,14 +83,16 @@ int run(int argc, char** argv) {
   add_info(app);
   add_doctor(app);
   add_drive(app);
-  if (argc < 2) {
+  take_ros_words(words);
+  if (words.empty()) {
     fmt::print(stderr, "{}", app.help());
     return kWrongInput;
   }
-  const std::string word = argv[1];
+  const std::string word = words.front();
   expect_command(app, word);
   try {
-    app.parse(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     const CLI::App& command = word.starts_with('-') ? app : *app.get_subcommand(word);
@@ -110,7 +115,7 @@ int main(int argc, char** argv) {
   // A limit on file sizes is to end in a message, as a full disc does.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return run(argc, argv);
+    return run({argv + 1, argv + argc});
   } catch (const Error& error) {
     return complain(error.what(), error.kind() == Error::Kind::Input ? kWrongInput : kFailure);
   } catch (const std::bad_alloc&) {

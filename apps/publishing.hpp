@@ -20,6 +20,8 @@ class Publishing {
   /// begun.
   explicit Publishing(const std::optional<std::filesystem::path>& bag, bool zstd = false);
 
+  /// `sink` is told, too; it must outlive the run.
+  void tell(ros::MessageSink& sink) { sinks_.push_back(&sink); }
   bool wanted() const { return !sinks_.empty(); }
   /// The observer that publishes, for a run of this scenario by this robot.
   ros::Publications& begin(const Scenario& scenario, const RobotModel& robot, bool simulated);

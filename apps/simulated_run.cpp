@@ -19,6 +19,7 @@
 #include "data_folder.hpp"
 #include "publishing.hpp"
 #include "random_streams.hpp"
+#include "steering.hpp"
 
 namespace scrubjay::apps {
 namespace {
@@ -125,9 +126,15 @@ RunResult run_simulated(const Scenario& scenario, const Stage& stage, const Grou
   const Random random(scenario.seed);
   const RobotModel& model = stage.robot.model;
   SimulatedRobot simulated(scenario, stage, options, random.fork(kRobotStream));
-  const Estimation estimation = make_estimation(scenario, model);
-  const std::unique_ptr<Behavior> strategy = make_strategy(scenario.strategy, strategy_setting(scenario, model));
-  Mission mission(simulated.robot(), *estimation.localizer, *estimation.mapper, *strategy, {scenario.max_time});
+  Estimation estimation = make_estimation(scenario, model);
+  if (options.steering != nullptr) options.steering->correct(estimation, model);
+  const std::unique_ptr<Behavior> strategy = options.steering != nullptr
+                                                 ? options.steering->behavior(model)
+                                                 : make_strategy(scenario.strategy, strategy_setting(scenario, model));
+  const std::unique_ptr<Robot> between =
+      options.steering != nullptr ? options.steering->between(simulated.robot()) : nullptr;
+  Mission mission(between ? *between : simulated.robot(), *estimation.localizer, *estimation.mapper, *strategy,
+                  {scenario.max_time});
   Track track;
   TruthTrack truth_track(simulated, stage.start);
   mission.watch(track);

@@ -17,6 +17,7 @@
 namespace scrubjay::apps {
 
 class Publishing;
+class Steering;
 
 /// What runs read and share: a world with its index, a robot, a noise profile.
 struct Stage {
@@ -42,6 +43,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> record;  ///< where to record the bytes
   Observer* onlooker = nullptr;                 ///< somebody who looks on; may be nobody
   Publishing* publishing = nullptr;             ///< tells others; may be nobody
+  Steering* steering = nullptr;                 ///< in place of the scenario's strategy, if anybody
 };
 
 /// Runs the scenario on its stage, and scores it. The same scenario gives the same result, but for the times it took.

@@ -212,6 +212,10 @@ void SerialRobot::drive(const Motion& motion) {
   if (motion == Motion{}) state_->watchdog.rest();
 }
 
+bool SerialRobot::order(const oi::Command& command) {
+  return state_->session().order(command);
+}
+
 void SerialRobot::stop() {
   state_->end_session();
 }

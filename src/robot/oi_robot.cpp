@@ -207,8 +207,32 @@ void OiRobot::heal_deafness(const Frame& frame) {
   left_speed_ = right_speed_ = kUnknownSpeed;
 }
 
+bool OiRobot::order(const oi::Command& command) {
+  if (listens()) return false;
+  switch (opcode_of(command)) {
+    case oi::Opcode::SeekDock:
+    case oi::Opcode::Clean:
+    case oi::Opcode::Spot:
+    case oi::Opcode::Max:
+      drives_itself_ = true;
+      keeps_mode_ = false;
+      left_speed_ = right_speed_ = 0;
+      break;
+    case oi::Opcode::Safe:
+    case oi::Opcode::Full:
+      drives_itself_ = false;
+      keeps_mode_ = true;
+      break;
+    default:
+      break;
+  }
+  return send(command);
+}
+
 void OiRobot::drive(const Motion& motion) {
   if (listens()) return;
+  if (drives_itself_ && motion == Motion{}) return;
+  drives_itself_ = false;
   // What isn't a number moves no wheel; what is too fast for one wheel slows both, so that the curve stays.
   const bool sound = std::isfinite(motion.linear) && std::isfinite(motion.angular);
   const double linear = sound ? motion.linear : 0.0;

@@ -63,6 +63,7 @@ class SerialRobot final : public Robot {
   std::optional<Frame> next() override;
   /// For SerialRobotParams::renewal, unless it is told again.
   void drive(const Motion& motion) override;
+  bool order(const oi::Command& command) override;
   /// Tells the robot to stand until its frames say that it does, or for 1.5 s; then leaves it in Passive mode, without
   /// a stream. next() begins a new session.
   void stop() override;

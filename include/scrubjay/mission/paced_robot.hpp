@@ -25,6 +25,7 @@ class PacedRobot final : public Robot {
     return frame;
   }
   void drive(const Motion& motion) override { robot_.drive(motion); }
+  bool order(const oi::Command& command) override { return robot_.order(command); }
   void stop() override { robot_.stop(); }
 
  private:

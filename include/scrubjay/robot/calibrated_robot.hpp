@@ -31,6 +31,7 @@ class CalibratedRobot final : public Robot {
     robot_.drive({0.5 * (told.left + told.right), (told.right - told.left) / separation_});
   }
 
+  bool order(const oi::Command& command) override { return robot_.order(command); }
   void stop() override { robot_.stop(); }
 
  private:

@@ -51,6 +51,9 @@ class OiRobot final : public Robot {
   std::optional<Frame> poll();
   /// Nothing, in a session that listens.
   void drive(const Motion& motion) override;
+  /// One that has it drive by itself (Seek Dock, Clean, Spot, Max) is left alone with it until a motion is wanted again,
+  /// or Safe or Full mode. False in a session that listens, and if the channel has ended.
+  bool order(const oi::Command& command) override;
   void stop() override;
   /// After stop(): reads on until the robot says that it is Passive, for `patience` [s] by the channel's stamps at
   /// most, and tells it again meanwhile. False if it never said so; a Roomba 400 tells no mode.
@@ -106,6 +109,7 @@ class OiRobot final : public Robot {
   LinkState link_ = LinkState::Alive;
   bool started_ = false;
   bool keeps_mode_ = true;        // takes control again where it was lost
+  bool drives_itself_ = false;    // it was ordered to
   bool driven_ = false;           // told to move since it was stopped
   double stamp_ = 0.0;            // of the last read
   double asked_stamp_ = 0.0;      // of the last query

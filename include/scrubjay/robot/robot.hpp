@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <scrubjay/oi/command.hpp>
 #include <scrubjay/robot/frame.hpp>
 #include <scrubjay/robot/motion.hpp>
 
@@ -17,6 +18,9 @@ class Robot {
   virtual std::optional<Frame> next() = 0;
   /// Drives like this until told otherwise.
   virtual void drive(const Motion& motion) = 0;
+  /// Says this to a robot that speaks the Open Interface, besides what it is driven by: a song, lights, the way to its
+  /// dock. False if it speaks no such thing.
+  virtual bool order(const oi::Command&) { return false; }
   /// Stands still, and ends in a mode that charges.
   virtual void stop() = 0;
 };
