@@ -163,9 +163,8 @@ void add_explore(CLI::App& app) {
   command->add_option("--robot", flags->robot, "sim, serial:PATH[@BAUD] or log:FILE (sim)");
   command->add_option("--speed", flags->speed, "times real time; 0: as fast as possible (0)")->check(number);
   command->add_option("--out", flags->out, "folder for the results (out/WORLD)");
-  command->add_option(
-      "--record", flags->record,
-      "record to this file: messages to an .mcap, bytes to an .oilog;\nor messages to a folder of rosbag2");
+  command->add_option("--record", flags->record,
+                      "messages to this .mcap or folder of rosbag2,\nor bytes to this .oilog");
   command->add_flag("--zstd", flags->zstd, "pack the .mcap that is recorded");
   add_octomap_flags(*command, flags->octomap);
   add_ros_flags(*command, flags->ros);

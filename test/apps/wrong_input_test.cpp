@@ -19,6 +19,7 @@ class WrongInputTest : public testing::Test {
  protected:
   void SetUp() override {
     std::filesystem::create_directory(folder_ / "folder");
+    std::filesystem::create_directory(folder_ / "folder.oilog");
     folder_.write("empty", "");
     folder_.write("text", "hello\n");
     folder_.write("broken.yaml", "walls:\n  - [[0, 0], [1, 1\n");
@@ -189,7 +190,7 @@ TEST_F(WrongInputTest, RefusesScenariosAndRecordingsThatCannotBeRun) {
   expect_refusal({"explore", "--scenario", "typo.yaml"}, kWrong, "typo.yaml:1: there is no field 'wals'");
   expect_refusal({"explore", "--scenario", "scenario.yaml"}, kWrong, "there is no strategy 'fly'");
   expect_refusal({"replay", "missing.oilog"}, kWrong, "missing.oilog: cannot read");
-  expect_refusal({"replay", "folder"}, kWrong, "folder: cannot read");
+  expect_refusal({"replay", "folder"}, kWrong, "folder: is no bag");
   expect_refusal({"replay", "text"}, kWrong, "text: not a recording");
   expect_refusal({"replay", "run/map.png"}, kWrong, "not a recording");
   expect_refusal({"replay", "empty"}, kWrong, "nothing can be replayed");
@@ -209,8 +210,8 @@ TEST_F(WrongInputTest, RefusesAPlaceThatCannotBeWrittenTo) {
   expect_refusal(with({"--out", "text"}), kFailed, "text: ");
   expect_refusal(with({"--out", "text/out"}), kFailed, "text/out: ");
   expect_refusal(with({"--out", ""}), kFailed, "folder");
-  expect_refusal(with({"--out", "run", "--record", "folder"}), kFailed,
-                 "folder: cannot write the recording: Is a directory");
+  expect_refusal(with({"--out", "run", "--record", "folder.oilog"}), kFailed,
+                 "folder.oilog: cannot write the recording: Is a directory");
   expect_refusal(with({"--out", "run", "--record", "nowhere/run.oilog"}), kFailed, "nowhere/run.oilog");
   expect_refusal({"render", own_world("room"), "--out", "folder"}, kFailed, "folder: not a regular file");
   expect_refusal({"render", own_world("room"), "--out", "nowhere/map.png"}, kFailed, "nowhere/map.png");
