@@ -88,7 +88,7 @@ TEST(CdrTest, IgnoresWhatFollowsTheMessage) {
 
 template <Message M>
 class EveryMessageTest : public testing::Test {};
-TYPED_TEST_SUITE(EveryMessageTest, EveryMessage::Types, MessageName);
+TYPED_TEST_SUITE(EveryMessageTest, EveryMessage::In<testing::Types>, MessageName);
 
 TYPED_TEST(EveryMessageTest, ComesBackAsItWas) {
   Random random(1);

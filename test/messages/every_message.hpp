@@ -2,8 +2,6 @@
 /// All messages that there are, for tests that ask the same of each.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <scrubjay/messages/create_msgs.hpp>
 #include <scrubjay/messages/diagnostic_msgs.hpp>
 #include <scrubjay/messages/nav_msgs.hpp>
@@ -15,7 +13,8 @@ namespace scrubjay::ros {
 
 template <class... M>
 struct Messages {
-  using Types = testing::Types<M...>;
+  template <template <class...> class List>
+  using In = List<M...>;
 };
 
 using EveryMessage =

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include <fmt/format.h>
 #include <openssl/sha.h>
 
@@ -98,7 +100,7 @@ std::string rihs01() {
 
 template <Message M>
 class TypeHashTest : public testing::Test {};
-TYPED_TEST_SUITE(TypeHashTest, EveryMessage::Types, MessageName);
+TYPED_TEST_SUITE(TypeHashTest, EveryMessage::In<testing::Types>, MessageName);
 
 TYPED_TEST(TypeHashTest, IsThatOfTheFieldsThatWeHave) {
   EXPECT_EQ(TypeParam::kHash, rihs01<TypeParam>());
