@@ -77,9 +77,7 @@ void bridge_live(const BridgeFlags& flags, const SerialAddress& address) {
   const bool told = flags.scenario.model || flags.scenario.scenario_file;
   LiveRobot live(address, told ? std::optional(scenario.model) : std::nullopt, OiRobot::Session::Drive,
                  interrupt.token(), flags.output.quiet);
-  live.enter(scenario);
-  const auto& calibration_file = flags.scenario.calibration_file;
-  if (calibration_file) scenario.calibration = calibration_for(scenario.model, *calibration_file);
+  live.enter(scenario, flags.scenario.calibration_file);
   RosNode node(flags.ros, flags.output.quiet);
   Publishing publishing(flags.record);
   publishing.tell(node.sink());

@@ -55,6 +55,17 @@ void check_zstd(const ExploreFlags& flags) {
   throw Error("--zstd packs an .mcap; want --record FILE.mcap with it");
 }
 
+/// Who is told of the run as it goes.
+struct Audience {
+  explicit Audience(const ExploreFlags& flags) : publishing(bag_recording(flags), flags.zstd) {
+    if (flags.ros.wanted) publishing.tell(node.emplace(flags.ros, flags.output.quiet).sink());
+  }
+  Publishing* wanted() { return publishing.wanted() ? &publishing : nullptr; }
+
+  std::optional<RosNode> node;
+  Publishing publishing;
+};
+
 void expect_robot(const RunResult& run) {
   if (run.report.ended == Ended::RobotGone) throw Error("the robot fell silent", Error::Kind::Failure);
 }
@@ -81,18 +92,15 @@ void explore_simulated(const ExploreFlags& flags) {
   RunOptions options;
   options.speed = flags.speed.value_or(flags.ros.wanted ? 1.0 : 0.0);  // others see it as it goes
   options.record = wire_recording(flags);
-  std::optional<RosNode> node;
-  if (flags.ros.wanted) node.emplace(flags.ros, flags.output.quiet);
-  Publishing publishing(bag_recording(flags), flags.zstd);
-  if (node) publishing.tell(node->sink());
-  if (publishing.wanted()) options.publishing = &publishing;
+  Audience audience(flags);
+  options.publishing = audience.wanted();
   std::optional<Progress> progress;
   if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(&truth);
   const RunResult run = run_simulated(scenario, stage, truth, options, interrupt.token());
-  if (node) node->finish();
+  if (audience.node) audience.node->finish();
   progress.reset();
   deliver(run, folder, flags.octomap, flags.output);
-  publishing.close();
+  audience.publishing.close();
   expect_robot(run);
 }
 
@@ -109,25 +117,20 @@ void explore_live(const ExploreFlags& flags, const SerialAddress& address) {
   const bool told = flags.scenario.model || flags.scenario.scenario_file;
   LiveRobot live(address, told ? std::optional(scenario.model) : std::nullopt, OiRobot::Session::Drive,
                  interrupt.token(), flags.output.quiet);
-  live.enter(scenario);
-  const auto& calibration_file = flags.scenario.calibration_file;
-  if (calibration_file) scenario.calibration = calibration_for(scenario.model, *calibration_file);  // or refuse it
+  live.enter(scenario, flags.scenario.calibration_file);
   LiveOptions options;
   options.record = wire_recording(flags);
-  std::optional<RosNode> node;
-  if (flags.ros.wanted) node.emplace(flags.ros, flags.output.quiet);
-  Publishing publishing(bag_recording(flags), flags.zstd);
-  if (node) publishing.tell(node->sink());
-  if (publishing.wanted()) options.publishing = &publishing;
+  Audience audience(flags);
+  options.publishing = audience.wanted();
   std::optional<Progress> progress;
   if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(nullptr);
   const RunResult run = run_live(scenario, live.robot(), options, interrupt.token());
   interrupt.robot_stands();
-  if (node) node->finish();
+  if (audience.node) audience.node->finish();
   progress.reset();
   deliver(run, folder, flags.octomap, flags.output);
   live.robot().close_recording();
-  publishing.close();
+  audience.publishing.close();
   expect_robot(run);
 }
 

@@ -12,6 +12,7 @@
 
 #include "data_folder.hpp"
 #include "publishing.hpp"
+#include "run_options.hpp"
 #include "simulated_run.hpp"
 #include "steering.hpp"
 
@@ -52,10 +53,11 @@ LiveRobot::LiveRobot(const SerialAddress& address, const std::optional<std::stri
   for (const std::string& remark : robot_.remarks()) fmt::print(stderr, "scrubjay: {}\n", remark);
 }
 
-void LiveRobot::enter(Scenario& scenario) const {
+void LiveRobot::enter(Scenario& scenario, const std::optional<std::string>& calibration_file) const {
   scenario.model = model_name_;
   scenario.protocol = robot_.model().protocol;
   scenario.mode_one_too_high = robot_.quirks().mode_one_too_high;
+  if (calibration_file) scenario.calibration = calibration_for(scenario.model, *calibration_file);
 }
 
 RunResult run_live(const Scenario& scenario, SerialRobot& robot, const LiveOptions& options,

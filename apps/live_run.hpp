@@ -24,8 +24,9 @@ class LiveRobot {
   SerialRobot& robot() { return robot_; }
   /// Name of the model, or its URDF file.
   const std::string& model_name() const { return model_name_; }
-  /// Enters what answered into `scenario`, so that a replay hears the same: model, dialect and quirks.
-  void enter(Scenario& scenario) const;
+  /// Enters what answered into `scenario`, so that a replay hears the same: model, dialect and quirks; and the factors
+  /// of a calibration file, if one is named. Throws Error if those are another model's.
+  void enter(Scenario& scenario, const std::optional<std::string>& calibration_file) const;
 
  private:
   SerialRobot robot_;

@@ -35,9 +35,8 @@ void record(const RecordFlags& flags) {
   const Interrupt interrupt;
   LiveRobot live(address, flags.model, OiRobot::Session::Listen, interrupt.token(), flags.output.quiet);
   Scenario scenario;  // without a strategy: nobody of ours drives
-  live.enter(scenario);
+  live.enter(scenario, flags.calibration_file);
   scenario.max_time = std::clamp(flags.max_time, scenario.max_time, kLongestReplay);
-  if (flags.calibration_file) scenario.calibration = calibration_for(scenario.model, *flags.calibration_file);
   SerialRobot& robot = live.robot();
   robot.record(std::make_unique<RecordingWriter>(flags.out, scenario_text(scenario)));
   std::optional<double> first;

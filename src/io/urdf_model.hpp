@@ -2,8 +2,8 @@
 /// A robot's URDF, parsed.
 #pragma once
 
-#include <urdf_world/types.h>
 #include <urdf_model/model.h>
+#include <urdf_world/types.h>
 
 #include <filesystem>
 #include <string>

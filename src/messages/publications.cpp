@@ -225,8 +225,12 @@ void Publications::publish_map(const Snapshot& now) {
   }
   pending_change_ = bounding(pending_change_, now.changed);
   if (pending_change_.empty() || !is_due(map_update_stamp_, params_.map_update_interval)) return;
-  const bool grew = !(bounding(map_cells_, pending_change_) == map_cells_);
+  // What may have changed reaches beyond what did: only evidence makes it grow.
+  const auto within = [&](const CellRect& cells) { return bounding(map_cells_, cells) == map_cells_; };
+  const bool grew = !within(pending_change_) && !within(evidence_in(now.map));
   if (grew || stamp_ - map_stamp_ >= params_.map_interval) return publish_whole_map(now.map);
+  pending_change_ = intersection(pending_change_, map_cells_);
+  if (pending_change_.empty()) return;
   publish(kMapUpdatesTopic, map_update_message(header(params_.frames.map), now.map, map_cells_, pending_change_));
   pending_change_ = {};
 }

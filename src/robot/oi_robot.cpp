@@ -73,6 +73,7 @@ void OiRobot::begin_session() {
 void OiRobot::restart() {
   link_ = LinkState::Silent;
   keeps_mode_ = true;
+  drives_itself_ = false;
   flush();
   begin_session();
   left_speed_ = right_speed_ = 0;  // Start makes it stand
@@ -217,6 +218,7 @@ bool OiRobot::order(const oi::Command& command) {
       drives_itself_ = true;
       keeps_mode_ = false;
       left_speed_ = right_speed_ = 0;
+      wanted_ = {};
       break;
     case oi::Opcode::Safe:
     case oi::Opcode::Full:
@@ -255,7 +257,7 @@ void OiRobot::halt() {
 
 void OiRobot::stop() {
   if (listens()) return;
-  keeps_mode_ = driven_ = false;
+  keeps_mode_ = driven_ = drives_itself_ = false;
   left_speed_ = right_speed_ = 0;
   wanted_ = {};
   flush();

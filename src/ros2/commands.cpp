@@ -20,9 +20,11 @@ bool within(double value, double limit) {
   return std::fabs(value) <= limit;  // never true of what is not a number
 }
 
-bool is_rotation(const Quaternion& q) {
-  const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  return square > 0.25 && square < 4.0;  // rviz and people round
+/// With length 1, which rviz and people round; none if it is no rotation.
+std::optional<Quaternion> normalized(const Quaternion& q) {
+  const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  if (!(length > 0.5 && length < 2.0)) return std::nullopt;
+  return Quaternion{q.x / length, q.y / length, q.z / length, q.w / length};
 }
 
 }  // namespace
@@ -34,12 +36,24 @@ void Commands::refuse(std::uint64_t CommandTally::*why) {
 
 void Commands::order(const oi::Command& command) {
   const std::lock_guard lock(mutex_);
+  append(command);
+}
+
+void Commands::order_leds(const std::function<void(oi::Leds&)>& change) {
+  const std::lock_guard lock(mutex_);
+  oi::Leds leds = leds_;
+  change(leds);
+  if (append(leds)) leds_ = leds;
+}
+
+bool Commands::append(const oi::Command& command) {
   if (orders_.size() == kMostOrders) {
     ++tally_.out_of_range;
-    return;
+    return false;
   }
   ++tally_.taken;
   orders_.push_back(command);
+  return true;
 }
 
 std::vector<oi::Command> Commands::orders() {
@@ -74,13 +88,13 @@ void Commands::take_twist_stamped(Bytes message) {
 }
 
 void Commands::take_pose(const Pose& pose, std::optional<Pose2>& slot) {
-  if (!within(pose.position.x, kAbsurdPlace) || !within(pose.position.y, kAbsurdPlace) ||
-      !is_rotation(pose.orientation)) {
+  const auto turn = normalized(pose.orientation);
+  if (!within(pose.position.x, kAbsurdPlace) || !within(pose.position.y, kAbsurdPlace) || !turn) {
     return refuse(&CommandTally::out_of_range);
   }
   const std::lock_guard lock(mutex_);
   ++tally_.taken;
-  slot = pose_of(pose);
+  slot = pose_of(Pose{pose.position, *turn});
 }
 
 void Commands::take_goal(Bytes message) {
@@ -138,27 +152,18 @@ void Commands::take_play(Bytes message) {
 void Commands::take_led(std::uint8_t bit, Bytes message) {
   const auto on = decode<Bool>(message);
   if (!on) return refuse(&CommandTally::malformed);
-  oi::Leds leds;
-  {
-    const std::lock_guard lock(mutex_);
-    leds_.bits = static_cast<std::uint8_t>(on->data ? leds_.bits | bit : leds_.bits & ~bit);
-    leds = leds_;
-  }
-  order(leds);
+  order_leds(
+      [&](oi::Leds& leds) { leds.bits = static_cast<std::uint8_t>(on->data ? leds.bits | bit : leds.bits & ~bit); });
 }
 
 void Commands::take_power_led(Bytes message) {
   const auto led = decode<UInt8MultiArray>(message);
   if (!led) return refuse(&CommandTally::malformed);
   if (led->data.empty()) return refuse(&CommandTally::out_of_range);
-  oi::Leds leds;
-  {
-    const std::lock_guard lock(mutex_);
-    leds_.power_color = led->data[0];
-    if (led->data.size() > 1) leds_.power_intensity = led->data[1];
-    leds = leds_;
-  }
-  order(leds);
+  order_leds([&](oi::Leds& leds) {
+    leds.power_color = led->data[0];
+    if (led->data.size() > 1) leds.power_intensity = led->data[1];
+  });
 }
 
 void Commands::take_digits(Bytes message) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <scrubjay/ros2/remote_drive.hpp>
 
 namespace scrubjay::ros {
@@ -10,39 +11,58 @@ CostMapParams costs_for(const RobotModel& robot) {
   return params;
 }
 
+/// As near to the point as the map goes.
+Point2 nearest_within(const GridGeometry& map, const Point2& point) {
+  if (map.size() == 0 || map.contains(map.cell_at(point))) return point;
+  const Point2 low = map.center({0, 0});
+  const Point2 high = map.center({map.width - 1, map.height - 1});
+  return {std::clamp(point.x(), low.x(), high.x()), std::clamp(point.y(), low.y(), high.y())};
+}
+
 }  // namespace
 
 RemoteDrive::RemoteDrive(const RobotModel& robot, Commands& commands, const RemoteDriveParams& params)
-    : commands_(commands), params_(params), costs_(costs_for(robot)), navigator_(robot) {}
+    : commands_(commands), params_(params), costs_(costs_for(robot)), navigator_(robot), feels_its_way_(!robot.lidar) {}
 
 Decision RemoteDrive::decide(const Situation& situation) {
   const CellRect costs_changed = costs_.update(situation.map, situation.changed);
   const double now = situation.frame.stamp;
   if (const auto goal = commands_.goal()) {
-    navigator_.go_to(goal->position(), goal->yaw);
-    to_goal_ = true;
+    goal_ = goal;
+    set_out(situation.map.geometry);
     velocity_ = {};
   }
   if (const auto velocity = commands_.velocity()) {
     velocity_ = *velocity;
     velocity_stamp_ = now;
-    to_goal_ = false;
+    goal_.reset();
   }
-  if (to_goal_) return drive_to_goal(situation, costs_changed);
+  if (goal_) return drive_to_goal(situation, costs_changed);
   const bool stands = velocity_.linear == 0.0 && velocity_.angular == 0.0;
   if (stands || now - velocity_stamp_ >= params_.timeout) return {{}, "waiting"};
   return {velocity_, "driven by others"};
 }
 
+void RemoteDrive::set_out(const GridGeometry& map) {
+  const Point2 target = feels_its_way_ ? nearest_within(map, goal_->position()) : goal_->position();
+  const bool whole_way = target == goal_->position();
+  navigator_.go_to(target, whole_way ? std::optional(goal_->yaw) : std::nullopt);
+}
+
 Decision RemoteDrive::drive_to_goal(const Situation& situation, const CellRect& costs_changed) {
   if (situation.frame.bumped()) {
-    to_goal_ = false;
+    goal_.reset();
     return {{}, "bumped on the way to a goal"};
+  }
+  const bool part_of_the_way = navigator_.goal() != goal_->position();
+  if (part_of_the_way && nearest_within(situation.map.geometry, goal_->position()) != navigator_.goal()) {
+    set_out(situation.map.geometry);
   }
   const Navigator::Step step = navigator_.step(situation, costs_.view(), costs_changed);
   if (step.travel == Travel::Driving) return {step.motion, "to a goal"};
-  to_goal_ = false;
-  return {{}, step.travel == Travel::Arrived ? "at the goal" : "no way to the goal"};
+  const bool arrived = step.travel == Travel::Arrived && navigator_.goal() == goal_->position();
+  goal_.reset();
+  return {{}, arrived ? "at the goal" : "no way to the goal"};
 }
 
 }  // namespace scrubjay::ros

@@ -259,6 +259,20 @@ TEST_F(PublicationsTest, SendsAMapWholeWhenItGrewAndItsChangesOtherwise) {
   EXPECT_NEAR(kept_.of(kMapTopic).back().info.origin.position.x, -3.0, 1e-9);
 }
 
+TEST_F(PublicationsTest, SendsNoWholeMapForCellsThatMayHaveChangedAndHaveNot) {
+  begin();
+  mark({0.025, 0.025}, -100);
+  mark({1.025, 1.025}, 100);
+  tick();
+  mark({0.525, 0.525}, 100);
+  changed_ = cells_of(map_.view().geometry);  // far beyond all that is known
+  ticks(70);
+  EXPECT_EQ(kept_.of(kMapTopic).size(), 1u);
+  const auto updates = kept_.of(kMapUpdatesTopic);
+  ASSERT_EQ(updates.size(), 1u);
+  EXPECT_EQ(updates[0].data.size(), kept_.of(kMapTopic)[0].data.size());
+}
+
 TEST_F(PublicationsTest, SendsNoMapThatDidntChange) {
   begin();
   mark({0.0, 0.0}, 100);

@@ -29,6 +29,10 @@ class FakeRobot final : public Robot {
     return frame;
   }
   void drive(const Motion& motion) override { motions.push_back(motion); }
+  bool order(const oi::Command&) override {
+    ++orders;
+    return obeys;
+  }
   void stop() override {
     ++stops;
     motions_before_stop = motions.size();
@@ -36,6 +40,8 @@ class FakeRobot final : public Robot {
 
   int given = 0;
   int stops = 0;
+  int orders = 0;
+  bool obeys = true;  // what it is ordered
   std::vector<Motion> motions;
   std::size_t motions_before_stop = 0;
 

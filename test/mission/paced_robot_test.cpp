@@ -27,6 +27,15 @@ TEST(PacedRobotTest, HandsOnMotionsAndTheStop) {
   EXPECT_EQ(robot.stops, 1);
 }
 
+TEST(PacedRobotTest, HandsOnOrdersAndWhatBecameOfThem) {
+  FakeRobot robot(1);
+  PacedRobot paced(robot, 1.0);
+  EXPECT_TRUE(paced.order(oi::SeekDock{}));
+  EXPECT_EQ(robot.orders, 1);
+  robot.obeys = false;
+  EXPECT_FALSE(paced.order(oi::SeekDock{}));
+}
+
 TEST(PacedRobotTest, NoFrameComesBeforeItsTime) {
   FakeRobot robot(21);
   const auto begin = std::chrono::steady_clock::now();

@@ -51,8 +51,8 @@ class OiRobot final : public Robot {
   std::optional<Frame> poll();
   /// Nothing, in a session that listens.
   void drive(const Motion& motion) override;
-  /// One that has it drive by itself (Seek Dock, Clean, Spot, Max) is left alone with it until a motion is wanted again,
-  /// or Safe or Full mode. False in a session that listens, and if the channel has ended.
+  /// One that has it drive by itself (Seek Dock, Clean, Spot, Max) is left alone with it until a motion is wanted
+  /// again, or Safe or Full mode. False in a session that listens, and if the channel has ended.
   bool order(const oi::Command& command) override;
   void stop() override;
   /// After stop(): reads on until the robot says that it is Passive, for `patience` [s] by the channel's stamps at

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <scrubjay/geometry/pose2.hpp>
@@ -65,6 +66,9 @@ class Commands {
   void take_velocity(double linear, double angular);
   void take_pose(const Pose& pose, std::optional<Pose2>& slot);
   void order(const oi::Command& command);
+  /// As they were ordered last, and this changed.
+  void order_leds(const std::function<void(oi::Leds&)>& change);
+  bool append(const oi::Command& command);  // with the mutex held; false if there are too many
   void refuse(std::uint64_t CommandTally::*why);
 
   CommandLimits limits_;

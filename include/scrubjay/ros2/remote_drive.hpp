@@ -17,23 +17,26 @@ struct RemoteDriveParams {
 /// Drives by the velocities that are told; or, once a goal is, to the goal by the map so far. The newer of the two has
 /// the say. Never ends by itself.
 ///
-/// A robot without a lidar feels its way: it may cross unknown floor, and stops at what it bumps into.
+/// A robot without a lidar feels its way: it may cross unknown floor, also beyond the map, which grows as it goes; and
+/// it stops at what it bumps into.
 class RemoteDrive final : public Behavior {
  public:
   /// `commands` must outlive it.
   RemoteDrive(const RobotModel& robot, Commands& commands, const RemoteDriveParams& params = {});
 
   Decision decide(const Situation& situation) override;
-  std::span<const Point2> plan() const override { return to_goal_ ? navigator_.path() : std::span<const Point2>(); }
+  std::span<const Point2> plan() const override { return goal_ ? navigator_.path() : std::span<const Point2>(); }
 
  private:
+  void set_out(const GridGeometry& map);
   Decision drive_to_goal(const Situation& situation, const CellRect& costs_changed);
 
   Commands& commands_;
   RemoteDriveParams params_;
   CostMap costs_;
   Navigator navigator_;
-  bool to_goal_ = false;
+  bool feels_its_way_;
+  std::optional<Pose2> goal_;
   Motion velocity_;
   double velocity_stamp_ = 0.0;  // when it was told last [s]
 };
