@@ -73,9 +73,9 @@ std::size_t different_cells(const OccupancyGrid& a, const OccupancyGrid& b) {
 
 class BagReplayTest : public testing::TestWithParam<const char*> {
  protected:
-  const TemporaryFolder folder_;
+  const TemporaryFolder folder_{};
   const std::filesystem::path bag_ = folder_ / GetParam();
-  const Scene scene_;
+  const Scene scene_{};
 };
 
 TEST_P(BagReplayTest, OfALidarMakesTheSameMap) {
