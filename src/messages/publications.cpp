@@ -29,7 +29,7 @@ bool is_battery_changed(const Battery& a, const Battery& b) {
   return a.charger != b.charger;
 }
 
-/// The cells of a map that hold any evidence; one if there are none.
+/// The smallest rectangle with all cells of a map that hold any evidence.
 CellRect evidence_in(GridView<const LogOdds> map) {
   CellRect cells;
   for (std::int32_t y = 0; y < map.geometry.height; ++y) {
