@@ -72,6 +72,7 @@ Publications::Publications(const RobotModel& robot, PublicationParams params, st
       sinks_(std::move(sinks)),
       odometry_(robot.drive),
       slow_stamp_(kNever),
+      path_stamp_(kNever),
       ways_stamp_(kNever),
       map_stamp_(kNever),
       map_update_stamp_(kNever) {}
@@ -246,8 +247,8 @@ void Publications::publish_whole_map(GridView<const LogOdds> map) {
 void Publications::publish_ways(const Snapshot& now) {
   const Pose2& pose = now.estimate.pose;
   if (path_.empty() || (pose.position() - path_.back().position()).norm() >= kPathStep) path_.push_back(pose);
+  if (is_due(path_stamp_, params_.path_interval)) publish(kPathTopic, path_message(header(params_.frames.map), path_));
   if (!is_due(ways_stamp_, params_.slow_interval)) return;
-  publish(kPathTopic, path_message(header(params_.frames.map), path_));
   if (!std::ranges::equal(plan_, now.plan)) {
     plan_.assign(now.plan.begin(), now.plan.end());
     publish(kPlanTopic, path_message(header(params_.frames.map), now.plan));

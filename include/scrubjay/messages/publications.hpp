@@ -37,7 +37,8 @@ struct PublicationParams {
   bool simulated = false;               ///< /clock is published, and its time is everybody's
   double map_interval = 5.0;            ///< between two whole maps, unless it grew [s]
   double map_update_interval = 1.0;     ///< between two updates of what changed [s]
-  double slow_interval = 1.0;           ///< of battery, mode, path and diagnostics, unless they changed [s]
+  double path_interval = 10.0;          ///< of the path, which is told whole and grows [s]
+  double slow_interval = 1.0;           ///< of battery, mode and diagnostics, unless they changed [s]
 };
 
 /// Publishes, at every frame, odometry, transforms and what the robot senses; a map whole when it grew and every few
@@ -87,6 +88,7 @@ class Publications final : public Observer {
 
   // What was published last, and when [s].
   double slow_stamp_;
+  double path_stamp_;
   double ways_stamp_;
   double map_stamp_;
   double map_update_stamp_;
