@@ -45,16 +45,6 @@ CellRect evidence_in(GridView<const LogOdds> map) {
   return cells;
 }
 
-/// Where cells of `from` are in `to`, which grew out of it.
-CellIndex shift_between(const GridGeometry& from, const GridGeometry& to) {
-  const Point2 shift = (from.origin - to.origin) / to.resolution;
-  return {static_cast<std::int32_t>(std::lround(shift.x())), static_cast<std::int32_t>(std::lround(shift.y()))};
-}
-
-CellRect moved(const CellRect& cells, const CellIndex& by) {
-  return {{cells.low.x + by.x, cells.low.y + by.y}, {cells.high.x + by.x, cells.high.y + by.y}};
-}
-
 /// Turned about y, by `angle`, and then placed.
 Transform turned_wheel(const Transform& mount, double angle) {
   const SinCos half = sin_cos(0.5 * wrap_angle(angle));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <scrubjay/grid/grid_view.hpp>
 
 namespace scrubjay {
@@ -34,6 +35,18 @@ inline CellRect bounding(const CellRect& a, const CellRect& b) {
   if (b.empty()) return a;
   return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
           {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+
+/// Where it is when every cell's index has become larger by `by`.
+inline CellRect moved(const CellRect& rect, CellIndex by) {
+  return {{rect.low.x + by.x, rect.low.y + by.y}, {rect.high.x + by.x, rect.high.y + by.y}};
+}
+
+/// What makes a cell's index in `from` its index in `to`: two grids of one frame, of the same resolution and a whole
+/// number of cells apart, as those of a growing map are.
+inline CellIndex shift_between(const GridGeometry& from, const GridGeometry& to) {
+  const Point2 shift = (from.origin - to.origin) / to.resolution;
+  return {static_cast<std::int32_t>(std::lround(shift.x())), static_cast<std::int32_t>(std::lround(shift.y()))};
 }
 
 /// Wider by `margin` cells on every side.
