@@ -84,7 +84,7 @@ RunResult run_live(const Scenario& scenario, SerialRobot& robot, const LiveOptio
   Track track;
   mission.watch(track);
   if (options.onlooker != nullptr) mission.watch(*options.onlooker);
-  if (options.publishing != nullptr) mission.watch(options.publishing->begin(scenario, model, false));
+  if (options.publishing != nullptr) mission.watch(options.publishing->begin(scenario, model, RunTime::Real));
 
   RunResult run;
   run.scenario = scenario;

@@ -1,5 +1,7 @@
 #include "publishing.hpp"
 
+#include <fmt/format.h>
+
 #include <scrubjay/io/robot_description.hpp>
 #include <scrubjay/io/scenario_file.hpp>
 
@@ -17,7 +19,7 @@ Publishing::Publishing(const std::optional<std::filesystem::path>& bag, bool zst
   sinks_.push_back(bag_.get());
 }
 
-ros::Publications& Publishing::begin(const Scenario& scenario, const RobotModel& robot, bool simulated) {
+Observer& Publishing::begin(const Scenario& scenario, const RobotModel& robot, RunTime time) {
   RobotDescription body = read_robot_description(robot_file(scenario.model));
   ros::PublicationParams params;
   params.description = std::move(body.urdf);
@@ -25,13 +27,22 @@ ros::Publications& Publishing::begin(const Scenario& scenario, const RobotModel&
   params.fixed = std::move(body.fixed);
   params.left = std::move(body.left);
   params.right = std::move(body.right);
-  params.simulated = simulated;
-  if (simulated) params.epoch = 0;
-  return publications_.emplace(robot, std::move(params), sinks_);
+  params.simulated = time != RunTime::Real;
+  if (params.simulated) params.epoch = 0;
+  publications_.emplace(robot, std::move(params), sinks_);
+  if (time == RunTime::Free) return *publications_;
+  return background_.emplace(*publications_);
 }
 
 void Publishing::finish(GridView<const LogOdds> map) {
-  if (publications_) publications_->finish(map);
+  if (!publications_) return;
+  if (background_) {
+    background_->finish();
+    if (const std::uint64_t lost = background_->left_out(); lost > 0) {
+      fmt::print(stderr, "scrubjay: {} ticks were neither published nor recorded: too many waited\n", lost);
+    }
+  }
+  publications_->finish(map);
 }
 
 void Publishing::close() {

@@ -7,12 +7,17 @@
 #include <optional>
 #include <scrubjay/io/bag_recorder.hpp>
 #include <scrubjay/messages/publications.hpp>
+#include <scrubjay/mission/background_observer.hpp>
 #include <scrubjay/mission/scenario.hpp>
 
 namespace scrubjay::apps {
 
 /// Where to record, unless the file's name says that its bytes are wanted (.oilog).
 bool is_bag(const std::filesystem::path& recording);
+
+/// What a run's time is: of a real robot, of a simulation that keeps pace with the clock, or of one that is as fast as
+/// it can be.
+enum class RunTime { Real, Paced, Free };
 
 class Publishing {
  public:
@@ -23,16 +28,19 @@ class Publishing {
   /// `sink` is told, too; it must outlive the run.
   void tell(ros::MessageSink& sink) { sinks_.push_back(&sink); }
   bool wanted() const { return !sinks_.empty(); }
-  /// The observer that publishes, for a run of this scenario by this robot.
-  ros::Publications& begin(const Scenario& scenario, const RobotModel& robot, bool simulated);
-  /// Publishes what the mission left, and completes the bag. Throws Error if that failed.
+  /// The observer that publishes, for a run of this scenario by this robot. Who has a clock to keep up with never waits
+  /// for it; who hasn't, does, and nothing is left out.
+  Observer& begin(const Scenario& scenario, const RobotModel& robot, RunTime time);
+  /// Publishes what the mission left. Throws Error if that failed, or anything before it.
   void finish(GridView<const LogOdds> map);
+  /// Completes the bag. Throws Error if that failed.
   void close();
 
  private:
   std::unique_ptr<BagRecorder> bag_;
   std::vector<ros::MessageSink*> sinks_;
   std::optional<ros::Publications> publications_;
+  std::optional<BackgroundObserver> background_;  // its thread uses all the others
 };
 
 }  // namespace scrubjay::apps

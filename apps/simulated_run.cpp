@@ -140,7 +140,10 @@ RunResult run_simulated(const Scenario& scenario, const Stage& stage, const Grou
   mission.watch(track);
   mission.watch(truth_track);
   if (options.onlooker != nullptr) mission.watch(*options.onlooker);
-  if (options.publishing != nullptr) mission.watch(options.publishing->begin(scenario, model, true));
+  if (options.publishing != nullptr) {
+    const RunTime time = options.speed > 0.0 ? RunTime::Paced : RunTime::Free;
+    mission.watch(options.publishing->begin(scenario, model, time));
+  }
 
   RunResult run;
   run.scenario = scenario;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <scrubjay/messages/conversions.hpp>
@@ -22,11 +23,13 @@ std::array<double, 36> covariance_message(const Eigen::Matrix3d& covariance) {
 }
 
 std::vector<std::int8_t> trinary_cells(GridView<const LogOdds> map, const CellRect& cells) {
-  std::vector<std::int8_t> values;
-  values.reserve(static_cast<std::size_t>(cells.high.x - cells.low.x) *
-                 static_cast<std::size_t>(cells.high.y - cells.low.y));
+  const std::int32_t width = cells.high.x - cells.low.x;
+  std::vector<std::int8_t> values(static_cast<std::size_t>(width) *
+                                  static_cast<std::size_t>(cells.high.y - cells.low.y));
+  auto to = values.begin();
   for (std::int32_t y = cells.low.y; y < cells.high.y; ++y) {
-    for (std::int32_t x = cells.low.x; x < cells.high.x; ++x) values.push_back(trinary(map[{x, y}]));
+    const LogOdds* row = &map[{cells.low.x, y}];
+    to = std::transform(row, row + width, to, trinary);
   }
   return values;
 }

@@ -42,7 +42,7 @@ void Bridge::listen(Commands& commands) {
 
 void Bridge::publish(const TopicInfo& topic, std::int64_t, const std::shared_ptr<const Bytes>& bytes) {
   const auto found = writers_.find(topic.name);
-  if (found != writers_.end()) found->second->publish(*bytes);
+  if (found != writers_.end()) found->second->publish(bytes);
 }
 
 }  // namespace scrubjay::ros

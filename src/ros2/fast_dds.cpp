@@ -188,6 +188,9 @@ dds::DataWriterQos writer_qos(dds::DataWriterQos base, const Qos& qos, std::stri
   base.endpoint().history_memory_policy = rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
   base.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
   base.representation().m_value = {dds::XCDR_DATA_REPRESENTATION};
+  // Readers acknowledge what they have when they are asked, several times a second. What is latched is large and rare:
+  // of that they are asked with each message, for nothing takes its place if a part was lost.
+  base.reliable_writer_qos().disable_heartbeat_piggyback = qos.durability == Durability::Volatile;
   base.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0, 200'000'000);
   return base;
 }
@@ -209,6 +212,10 @@ void LeaveDomain::operator()(dds::DomainParticipant* participant) const {
   participant->set_listener(nullptr);
   participant->delete_contained_entities();
   dds::DomainParticipantFactory::get_instance()->delete_participant(participant);
+}
+
+bool write_message(dds::DataWriter& writer, const Bytes& message) {
+  return writer.write(const_cast<Bytes*>(&message));  // which only our type reads
 }
 
 bool take_next(dds::DataReader& reader, Bytes& message, bool& valid) {

@@ -48,6 +48,8 @@ bool wait_for_acknowledgments(dds::DataWriter& writer, std::chrono::nanoseconds 
 /// Tells the graph of others; it outlives the listener.
 std::unique_ptr<dds::DomainParticipantListener> discovery_listener(Graph& graph);
 
+/// False if DDS didn't take it.
+bool write_message(dds::DataWriter& writer, const Bytes& message);
 /// False if there is no message. One without bytes, such as that a writer has gone, isn't `valid`.
 bool take_next(dds::DataReader& reader, Bytes& message, bool& valid);
 

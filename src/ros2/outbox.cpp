@@ -4,8 +4,8 @@
 
 namespace scrubjay::ros {
 
-void Outbox::Queue::push(Bytes message) {
-  Bytes oldest;  // let go of without the lock: it may be a map of megabytes
+void Outbox::Queue::push(std::shared_ptr<const Bytes> message) {
+  std::shared_ptr<const Bytes> oldest;  // let go of without the lock: it may be a map of megabytes
   {
     const std::scoped_lock lock(outbox_.mutex_);
     if (waiting_.size() == depth_) {
@@ -45,11 +45,11 @@ void Outbox::run(const std::stop_token& end) {
   while (changed_.wait(lock, end, [&] { return !turns_.empty(); })) {
     Queue& queue = *turns_.front();
     turns_.pop_front();
-    Bytes message = std::move(queue.waiting_.front());
+    std::shared_ptr<const Bytes> message = std::move(queue.waiting_.front());
     queue.waiting_.pop_front();
     sending_ = true;
     lock.unlock();
-    const bool taken = queue.send_(message);
+    const bool taken = queue.send_(*message);
     message = {};
     lock.lock();
     sending_ = false;

@@ -18,7 +18,7 @@ namespace scrubjay::ros {
 class Outbox {
  public:
   /// Gives bytes to DDS; false if it didn't take them. May take its time.
-  using Send = std::function<bool(Bytes& message)>;
+  using Send = std::function<bool(const Bytes& message)>;
 
   /// The messages of one topic.
   class Queue {
@@ -26,7 +26,7 @@ class Outbox {
     Queue(Outbox& outbox, std::size_t depth, Send send) : outbox_(outbox), depth_(depth), send_(std::move(send)) {}
 
     /// Never waits for a sending.
-    void push(Bytes message);
+    void push(std::shared_ptr<const Bytes> message);
     WriterTally tally() const;
 
    private:
@@ -35,7 +35,7 @@ class Outbox {
     Outbox& outbox_;
     std::size_t depth_;
     Send send_;
-    std::deque<Bytes> waiting_;
+    std::deque<std::shared_ptr<const Bytes>> waiting_;
     WriterTally tally_;
   };
 

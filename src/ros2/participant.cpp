@@ -22,8 +22,12 @@ struct Reader::State {
   std::atomic<std::uint64_t> received{0};
 };
 
-void Writer::publish(std::vector<std::byte> message) {
+void Writer::publish(std::shared_ptr<const Bytes> message) {
   state_.queue->push(std::move(message));
+}
+
+void Writer::publish(Bytes message) {
+  publish(std::make_shared<const Bytes>(std::move(message)));
 }
 
 const std::string& Writer::topic() const {
@@ -122,7 +126,7 @@ Writer& Participant::write(std::string_view topic, const MessageType& type, cons
   state.endpoint = state_->endpoint(true, full, type, qos);
   state.entity = state_->wire_for(full, type).write(full, type, qos);
   state.queue = &state_->outbox.add(static_cast<std::size_t>(qos.depth),
-                                    [&state](Bytes& message) { return state.entity->write(&message); });
+                                    [&state](const Bytes& message) { return write_message(*state.entity, message); });
   state_->endpoints.push_back(state.endpoint);
   return state_->writers.emplace_back(std::move(ours))->writer;
 }

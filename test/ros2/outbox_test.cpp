@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 class Gate {
  public:
   Outbox::Send send() {
-    return [this](Bytes& message) {
+    return [this](const Bytes& message) {
       std::unique_lock lock(mutex_);
       ++came_;
       changed_.notify_all();
@@ -48,8 +48,8 @@ class Gate {
   std::vector<int> sent_;
 };
 
-Bytes message(int number) {
-  return {static_cast<std::byte>(number)};
+std::shared_ptr<const Bytes> message(int number) {
+  return std::make_shared<const Bytes>(1, static_cast<std::byte>(number));
 }
 
 TEST(OutboxTest, SendsInTheOrderOfPublicationWhateverTheTopic) {

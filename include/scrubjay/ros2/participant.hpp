@@ -59,6 +59,7 @@ class Writer {
 
   /// Has a message sent (its bytes with the encapsulation, as `encode` gives them) and never waits: it is sent from the
   /// participant's own thread. At most Qos::depth messages wait; one more drops the oldest.
+  void publish(std::shared_ptr<const std::vector<std::byte>> message);
   void publish(std::vector<std::byte> message);
   const std::string& topic() const;  ///< full name
   int readers() const;               ///< that are matched
