@@ -109,7 +109,7 @@ TEST(OutboxTest, AFloodOfOneTopicDropsNothingOfAnother) {
 
 TEST(OutboxTest, WhatDdsRefusesIsCounted) {
   Outbox outbox;
-  Outbox::Queue& queue = outbox.add(10, [](Bytes& bytes) { return bytes.front() != std::byte{1}; });
+  Outbox::Queue& queue = outbox.add(10, [](const Bytes& bytes) { return bytes.front() != std::byte{1}; });
   for (int i = 0; i < 3; ++i) queue.push(message(i));
   ASSERT_TRUE(outbox.flush(std::chrono::steady_clock::now() + std::chrono::seconds(30)));
   EXPECT_EQ(queue.tally(), (WriterTally{.published = 2, .dropped = 0, .refused = 1}));
