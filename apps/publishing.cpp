@@ -31,7 +31,8 @@ Observer& Publishing::begin(const Scenario& scenario, const RobotModel& robot, R
   if (params.simulated) params.epoch = 0;
   publications_.emplace(robot, std::move(params), sinks_);
   if (time == RunTime::Free) return *publications_;
-  return background_.emplace(*publications_);
+  using WhenFull = BackgroundObserver::WhenFull;
+  return background_.emplace(*publications_, time == RunTime::Real ? WhenFull::LeaveOut : WhenFull::Wait);
 }
 
 void Publishing::finish(GridView<const LogOdds> map) {

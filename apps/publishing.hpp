@@ -28,8 +28,8 @@ class Publishing {
   /// `sink` is told, too; it must outlive the run.
   void tell(ros::MessageSink& sink) { sinks_.push_back(&sink); }
   bool wanted() const { return !sinks_.empty(); }
-  /// The observer that publishes, for a run of this scenario by this robot. Who has a clock to keep up with never waits
-  /// for it; who hasn't, does, and nothing is left out.
+  /// The observer that publishes, for a run of this scenario by this robot. It has a thread of its own where there is a
+  /// clock to keep up with. A real robot never waits for it; a simulated one does before anything would be left out.
   Observer& begin(const Scenario& scenario, const RobotModel& robot, RunTime time);
   /// Publishes what the mission left. Throws Error if that failed, or anything before it.
   void finish(GridView<const LogOdds> map);

@@ -42,7 +42,9 @@ bool ContactModel::moved(const Pose2& pose) const {
 }
 
 bool ContactModel::turned(const Pose2& pose) const {
-  return !last_sensed_ || std::fabs(angle_difference(pose.yaw, last_sensed_->yaw)) >= params_.turn_step ||
+  // Robots that tell whole degrees turn by just that much: no rounding error may decide.
+  constexpr double kTie = 1e-9;
+  return !last_sensed_ || std::fabs(angle_difference(pose.yaw, last_sensed_->yaw)) >= params_.turn_step - kTie ||
          apart(pose, *last_sensed_, params_.travel_step);
 }
 

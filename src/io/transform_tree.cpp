@@ -33,6 +33,10 @@ std::string_view last_name(std::string_view name) {
 std::optional<Pose2> in_plane(const ros::Point& position, const ros::Quaternion& orientation) {
   const auto rotation = rotation_of(orientation);
   if (!rotation || !std::isfinite(position.x) || !std::isfinite(position.y)) return std::nullopt;
+  // To the last bit or so: what is read was written by a robot in the plane.
+  if (orientation.x == 0.0 && orientation.y == 0.0) {
+    return Pose2{position.x, position.y, wrap_angle(2.0 * atan2(orientation.z, orientation.w))};
+  }
   return Pose2{position.x, position.y, ros::yaw_of({rotation->x(), rotation->y(), rotation->z(), rotation->w()})};
 }
 

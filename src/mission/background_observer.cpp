@@ -19,8 +19,11 @@ GridGeometry grid_of(const CellRect& cells) {
 
 }  // namespace
 
-BackgroundObserver::BackgroundObserver(Observer& observer, std::size_t most_waiting)
-    : observer_(observer), most_waiting_(most_waiting), thread_([this](const std::stop_token& end) { run(end); }) {}
+BackgroundObserver::BackgroundObserver(Observer& observer, WhenFull when_full, std::size_t most_waiting)
+    : observer_(observer),
+      when_full_(when_full),
+      most_waiting_(most_waiting),
+      thread_([this](const std::stop_token& end) { run(end); }) {}
 
 BackgroundObserver::Kept BackgroundObserver::keep(const Snapshot& now, const CellRect& changed) {
   Kept kept{now.frame, {}, now.estimate, now.decision, now.map.geometry, changed, {}, {}, {}};
@@ -42,7 +45,10 @@ void BackgroundObserver::notify(const Snapshot& now) {
   CellRect changed = intersection(bounding(owed_change_, now.changed), cells_of(grid));
   if (changed.empty()) changed = {};
   {
-    const std::scoped_lock lock(mutex_);
+    std::unique_lock lock(mutex_);
+    if (when_full_ == WhenFull::Wait) {
+      changed_.wait(lock, [this] { return failure_ || waiting_.size() < most_waiting_; });
+    }
     rethrow();
     if (waiting_.size() >= most_waiting_) {
       ++left_out_;
@@ -98,7 +104,7 @@ void BackgroundObserver::run(const std::stop_token& end) {
     lock.lock();
     busy_ = false;
     if (failure) failure_ = failure;
-    if (waiting_.empty() || failure) changed_.notify_all();
+    if (waiting_.empty() || when_full_ == WhenFull::Wait || failure) changed_.notify_all();
   }
 }
 

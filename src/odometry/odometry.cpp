@@ -29,7 +29,8 @@ const PoseEstimate& Odometry::update(const WheelTravel& travel, double stamp) {
   return estimate_;
 }
 
-const PoseEstimate& Odometry::advance(const Pose2& step, double stamp) {
+const PoseEstimate& Odometry::follow(const Pose2& pose, double stamp) {
+  const Pose2 step = pose == estimate_.pose ? Pose2{} : inverse(estimate_.pose) * pose;
   const double distance = std::sqrt(step.x * step.x + step.y * step.y);
   const Arc arc{std::copysign(distance, step.x), step.yaw};
   const double lead = 0.5 * arc.turn * drive_.wheel_separation;
@@ -37,7 +38,7 @@ const PoseEstimate& Odometry::advance(const Pose2& step, double stamp) {
   if (travel.left != 0.0 || travel.right != 0.0) {
     const SinCos middle = sin_cos(estimate_.pose.yaw + 0.5 * arc.turn);
     propagate(travel, middle.sin, middle.cos);
-    estimate_.pose = estimate_.pose * step;
+    estimate_.pose = pose;
   }
   update_twist(travel, stamp);
   return estimate_;

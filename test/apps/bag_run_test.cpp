@@ -104,6 +104,8 @@ TEST_P(BagRunTest, LeavesAWholeBagWhereItIsInterrupted) {
 INSTANTIATE_TEST_SUITE_P(Ways, BagRunTest,
                          testing::Values(Way{"RoombaMcap", "roomba-600", "hard-floor", "run.mcap"},
                                          Way{"RoombaFolder", "create-2", "carpet", "run"},
+                                         Way{"Create1Mcap", "create-1", "hard-floor", "run.mcap"},
+                                         Way{"Roomba400Folder", "roomba-400", "none", "run"},
                                          Way{"BurgerMcap", "turtlebot3-burger", "hard-floor", "run.mcap"},
                                          Way{"BurgerFolder", "turtlebot3-burger", "uncalibrated", "run"}),
                          [](const auto& way) { return way.param.name; });

@@ -122,7 +122,7 @@ TEST_F(BackgroundObserverTest, NeverWaitsForTheOther) {
 TEST_F(BackgroundObserverTest, WhatIsLeftOutComesWithTheNextTick) {
   Witness before;
   before.open();
-  BackgroundObserver background(behind_, 10);
+  BackgroundObserver background(behind_, BackgroundObserver::WhenFull::LeaveOut, 10);
   tick({&before, &background});
   while (behind_.entered == 0) std::this_thread::yield();
   // The first one is being looked at, ten wait.
@@ -143,6 +143,17 @@ TEST_F(BackgroundObserverTest, WhatIsLeftOutComesWithTheNextTick) {
     all = bounding(all, moved(before.seen[i].changed, shift_between(before.seen[i].geometry, last.geometry)));
   }
   EXPECT_EQ(last.changed, all);
+}
+
+TEST_F(BackgroundObserverTest, LeavesNothingOutWhereTheMissionMayWait) {
+  Witness before;
+  before.open();
+  behind_.open();
+  BackgroundObserver background(behind_, BackgroundObserver::WhenFull::Wait, 1);
+  for (int i = 0; i < 100; ++i) tick({&before, &background});
+  background.finish();
+  EXPECT_EQ(behind_.seen, before.seen);
+  EXPECT_EQ(background.left_out(), 0U);
 }
 
 TEST_F(BackgroundObserverTest, ThrowsWhatTheOtherThrew) {

@@ -25,7 +25,7 @@ class DeadReckoning final : public Localizer {
 
  private:
   Odometry odometry_;
-  std::optional<Pose2> last_odometry_;
+  std::optional<Pose2> first_;  ///< pose that the robot told
 };
 
 }  // namespace scrubjay

@@ -18,13 +18,15 @@ namespace scrubjay {
 /// over a map that this keeps up with the mission's.
 ///
 /// Where so many wait that no more are kept, a tick is left out: its travel and its changes come with the next one that
-/// isn't, its scan is lost.
+/// isn't, its scan is lost. A robot whose time can stand still may wait instead.
 class BackgroundObserver final : public Observer {
  public:
   static constexpr std::size_t kMostWaiting = 1024;  ///< 15 s of a Roomba
+  enum class WhenFull { LeaveOut, Wait };
 
   /// `observer` must outlive it, and is used by its thread alone until finish().
-  explicit BackgroundObserver(Observer& observer, std::size_t most_waiting = kMostWaiting);
+  explicit BackgroundObserver(Observer& observer, WhenFull when_full = WhenFull::LeaveOut,
+                              std::size_t most_waiting = kMostWaiting);
   BackgroundObserver(const BackgroundObserver&) = delete;
   BackgroundObserver& operator=(const BackgroundObserver&) = delete;
 
@@ -57,6 +59,7 @@ class BackgroundObserver final : public Observer {
   void rethrow();
 
   Observer& observer_;
+  WhenFull when_full_;
   std::size_t most_waiting_;
   // The mission's side: what was left out.
   CellRect owed_change_;

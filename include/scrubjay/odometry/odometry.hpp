@@ -25,9 +25,9 @@ class Odometry {
   /// What the wheels rolled since the update before, and when [s]. The twist is a mean over at least kTwistInterval, so
   /// that ticks which arrive late or in bursts don't make it jump.
   const PoseEstimate& update(const WheelTravel& travel, double stamp);
-  /// The same from a robot that tells its motion instead of its wheels' travel: the pose moves by `step`, exactly, and
+  /// The same from a robot that tells its motion instead of its wheels' travel: it is at `pose` now, exactly, and
   /// the covariance grows as if the wheels had rolled an arc of that length and turn.
-  const PoseEstimate& advance(const Pose2& step, double stamp);
+  const PoseEstimate& follow(const Pose2& pose, double stamp);
   const PoseEstimate& estimate() const { return estimate_; }
 
   static constexpr double kTwistInterval = 0.025;  ///< [s]; two ticks of the Open Interface make it
