@@ -65,7 +65,8 @@ Publications::Publications(const RobotModel& robot, PublicationParams params, st
       path_stamp_(kNever),
       ways_stamp_(kNever),
       map_stamp_(kNever),
-      map_update_stamp_(kNever) {}
+      map_update_stamp_(kNever),
+      rooms_stamp_(kNever) {}
 
 template <Message M>
 void Publications::publish(const Topic<M>& topic, const M& message) {
@@ -91,6 +92,7 @@ void Publications::notify(const Snapshot& now) {
   publish_senses(now);
   publish_states(now);
   publish_map(now);
+  if (rooms_pending_ && is_due(rooms_stamp_, params_.rooms_interval)) publish_rooms(now.map);
   publish_ways(now);
   last_frame_ = now.frame;
   last_frame_->scan.reset();  // whose ranges are the robot's
@@ -230,8 +232,18 @@ void Publications::publish_whole_map(GridView<const LogOdds> map) {
   map_geometry_ = map.geometry;
   map_stamp_ = stamp_;
   pending_change_ = {};
+  rooms_pending_ = true;
   map_cells_ = evidence_in(map);
   if (!map_cells_.empty()) publish(kMapTopic, map_message(header(params_.frames.map), map, map_cells_));
+}
+
+void Publications::publish_rooms(GridView<const LogOdds> map) {
+  rooms_pending_ = false;
+  RoomMap rooms = split_into_rooms(map);
+  const bool none = rooms.rooms.empty() && rooms_.rooms.empty();
+  if (none || rooms == rooms_) return;
+  rooms_ = std::move(rooms);
+  publish(kRoomsTopic, room_markers(header(params_.frames.map), rooms_));
 }
 
 void Publications::publish_ways(const Snapshot& now) {
@@ -251,6 +263,7 @@ void Publications::publish_ways(const Snapshot& now) {
 void Publications::finish(GridView<const LogOdds> map) {
   if (!begun_) return;
   publish_whole_map(map);
+  publish_rooms(map);
   publish(kPathTopic, path_message(header(params_.frames.map), path_));
 }
 

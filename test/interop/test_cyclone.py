@@ -18,8 +18,8 @@ TOPICS = {
     "joint_states": ros.JointState, "map_updates": ros.OccupancyGridUpdate, "mode": ros.Mode, "odom": ros.Odometry,
     "path": ros.Path, "plan": ros.Path, "tf": ros.TFMessage, "wheeldrop": ros.Empty,
 }
-LATCHED_TOPICS = {"map": ros.OccupancyGrid, "robot_description": ros.String, "rosout": ros.Log,
-                  "scenario": ros.String, "tf_static": ros.TFMessage}
+LATCHED_TOPICS = {"map": ros.OccupancyGrid, "robot_description": ros.String, "rooms": ros.MarkerArray,
+                  "rosout": ros.Log, "scenario": ros.String, "tf_static": ros.TFMessage}
 # Of types that rosbags doesn't bring, as the interface packages of Jazzy have them.
 HASHES = {
     "create_msgs/msg/Bumper": "b81367ac534b55b9ef16618d14f7d8da71a5b30328bf5b60b35c8140d9510102",
@@ -43,8 +43,8 @@ class GraphTest(unittest.TestCase):
                 found = listed.get(("/", "scrubjay"))
                 gids = [*found[1].writer_gid_seq, *found[1].reader_gid_seq] if found else []
                 seen = {**peer.writers(), **peer.readers()}
-                # 28 topics to hear, 13 to be driven by; the second kind of cmd_vel is another participant's.
-                return len(gids) >= 41 and all(bytes(gid.data[:16]) in seen for gid in gids) and found
+                # 29 topics to hear, 13 to be driven by; the second kind of cmd_vel is another participant's.
+                return len(gids) >= 42 and all(bytes(gid.data[:16]) in seen for gid in gids) and found
             gid, entry = eventually(whole, "a node with all its topics")
             self.assertIn(bytes(gid.data[:16]), peer.participants())
             for listed in (gid, *entry.writer_gid_seq, *entry.reader_gid_seq):
@@ -81,7 +81,7 @@ class ExploreTest(unittest.TestCase):
     """A Roomba explores a room, and every topic that it has is heard; then what was said is compared."""
 
     def explore(self):
-        with Node("explore", ROOM, "--ros2", "--speed", "4", "--quiet", "--max-time", "40") as node:
+        with Node("explore", ROOM, "--ros2", "--speed", "4", "--quiet", "--max-time", "60") as node:
             peer = Peer(node)
             heard = {topic: peer.hear(f"rt/{topic}", kind) for topic, kind in TOPICS.items()}
             heard |= {topic: peer.hear(f"rt/{topic}", kind, LATCHED) for topic, kind in LATCHED_TOPICS.items()}
@@ -164,8 +164,28 @@ class ExploreTest(unittest.TestCase):
         column = int((x - grid.info.origin.position.x) / grid.info.resolution)
         row = int((y - grid.info.origin.position.y) / grid.info.resolution)
         self.assertEqual(grid.data[row * grid.info.width + column], 0)
+        self.check_rooms(grid)
         self.assertIn("<robot", self.last("robot_description").data)
-        self.assertIn("max_time: 40", self.last("scenario").data)
+        self.assertIn("max_time: 60", self.last("scenario").data)
         children = [transform.child_frame_id for transform in self.last("tf_static").transforms]
         self.assertEqual(len(children), len(set(children)))
         self.assertIn("cliff_front_left", children)
+
+    def check_rooms(self, grid):
+        clear, *markers = self.last("rooms").markers
+        self.assertEqual(clear.action, 3, "all that was shown is deleted")
+        floors = [marker for marker in markers if marker.ns == "rooms"]
+        labels = [marker for marker in markers if marker.ns == "room_labels"]
+        self.assertEqual([floor.id for floor in floors], [label.id for label in labels])
+        self.assertEqual({(floor.type, floor.header.frame_id) for floor in floors}, {(11, "map")})
+        areas = []
+        for floor, label in zip(floors, labels):
+            corners = [(point.x, point.y) for point in floor.points]
+            triangles = zip(corners[::3], corners[1::3], corners[2::3])
+            areas.append(sum(0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]))
+                             for a, b, c in triangles))
+            number, area, _ = label.text.split()
+            self.assertEqual(number, f"{floor.id}:")
+            self.assertAlmostEqual(float(area), areas[-1], delta=0.051)
+        free = sum(cell == 0 for cell in grid.data) * grid.info.resolution**2
+        self.assertTrue(0.9 * free < sum(areas) < 1.2 * free, f"{areas} of {free} m2")

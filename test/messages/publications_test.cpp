@@ -69,6 +69,13 @@ class PublicationsTest : public testing::Test {
     changed_ = bounding(changed_, {cell, {cell.x + 1, cell.y + 1}});
   }
 
+  /// The same evidence for all cells between two corners.
+  void mark_floor(const Point2& low, const Point2& high, LogOdds evidence = -100) {
+    for (double y = low.y() + 0.025; y < high.y(); y += 0.05) {
+      for (double x = low.x() + 0.025; x < high.x(); x += 0.05) mark({x, y}, evidence);
+    }
+  }
+
   KeptMessages kept_;
   std::optional<Publications> publications_;
   Frame frame_;
@@ -314,6 +321,48 @@ TEST_F(PublicationsTest, AMapAndItsUpdatesMakeTheMapThatThereIs) {
   EXPECT_GT(maps, 3u);
   publications_->finish(std::as_const(map_).view());
   EXPECT_EQ(together.data, kept_.of(kMapTopic).back().data);
+}
+
+TEST_F(PublicationsTest, TellsTheRoomsOfAWholeMapWhereTheyChangedAndNotTooOften) {
+  const auto rooms_told = [this] { return kept_.of(kRoomsTopic).size(); };
+  begin();
+  mark_floor({0.0, 0.0}, {3.0, 2.0});
+  tick();
+  ASSERT_EQ(rooms_told(), 1u);
+  const std::vector<Marker> one = kept_.of(kRoomsTopic)[0].markers;
+  ASSERT_EQ(one.size(), 3u);
+  EXPECT_EQ(one[0].action, Marker::kDeleteAll);
+  EXPECT_EQ(one[1].header.frame_id, "map");
+  EXPECT_EQ(one[2].text, "1: 6.0 m2");
+
+  mark_floor({5.0, 0.0}, {7.0, 2.0});
+  ticks(600);  // 9 s: the map was whole again, as it grew
+  EXPECT_EQ(kept_.of(kMapTopic).size(), 2u);
+  EXPECT_EQ(rooms_told(), 1u);
+  ticks(100);
+  ASSERT_EQ(rooms_told(), 2u);
+  EXPECT_EQ(kept_.of(kRoomsTopic)[1].markers.size(), 5u);
+
+  mark({5.0, 2.5}, 100);
+  ticks(1000);
+  EXPECT_EQ(kept_.of(kMapTopic).size(), 3u);
+  EXPECT_EQ(rooms_told(), 2u) << "nothing changed in them";
+  publications_->finish(std::as_const(map_).view());
+  EXPECT_EQ(rooms_told(), 2u);
+}
+
+TEST_F(PublicationsTest, TellsOfRoomsAtTheEndAndTakesAwayThoseThatAreNoMore) {
+  begin();
+  tick();
+  publications_->finish(std::as_const(map_).view());
+  EXPECT_EQ(kept_.of(kRoomsTopic).size(), 0u) << "there never were any";
+  mark_floor({0.0, 0.0}, {3.0, 2.0});
+  publications_->finish(std::as_const(map_).view());
+  EXPECT_EQ(kept_.of(kRoomsTopic).size(), 1u);
+  mark_floor({0.0, 0.0}, {3.0, 2.0}, 100);
+  publications_->finish(std::as_const(map_).view());
+  ASSERT_EQ(kept_.of(kRoomsTopic).size(), 2u);
+  EXPECT_EQ(kept_.of(kRoomsTopic)[1].markers.size(), 1u);
 }
 
 TEST_F(PublicationsTest, TellsWhereItWentAndWhereItMeansToGo) {

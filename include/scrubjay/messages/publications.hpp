@@ -7,6 +7,7 @@
 #include <scrubjay/localization/localizer.hpp>
 #include <scrubjay/messages/conversions.hpp>
 #include <scrubjay/messages/message_sink.hpp>
+#include <scrubjay/messages/room_markers.hpp>
 #include <scrubjay/mission/observer.hpp>
 #include <string>
 #include <vector>
@@ -37,12 +38,14 @@ struct PublicationParams {
   bool simulated = false;               ///< /clock is published, and its time is everybody's
   double map_interval = 5.0;            ///< between two whole maps, unless it grew [s]
   double map_update_interval = 1.0;     ///< between two updates of what changed [s]
+  double rooms_interval = 10.0;         ///< between two maps that are split into rooms, at least [s]
   double path_interval = 10.0;          ///< of the path, which is told whole and grows [s]
   double slow_interval = 1.0;           ///< of battery, mode and diagnostics, unless they changed [s]
 };
 
 /// Publishes, at every frame, odometry, transforms and what the robot senses; a map whole when it grew and every few
-/// seconds, and what changed of it in between; what is slow, once a second or when it changes.
+/// seconds, and what changed of it in between; the rooms of a whole map, where they aren't those of the last; what is
+/// slow, once a second or when it changes.
 ///
 /// `odom` is dead reckoning, which never jumps; what the localizer knows better is between `map` and `odom` (REP-105).
 class Publications final : public Observer {
@@ -71,6 +74,7 @@ class Publications final : public Observer {
   void publish_diagnostics(const Snapshot& now);
   void publish_map(const Snapshot& now);
   void publish_whole_map(GridView<const LogOdds> map);
+  void publish_rooms(GridView<const LogOdds> map);
   void publish_ways(const Snapshot& now);
   bool is_due(double& last, double interval) const;
 
@@ -92,10 +96,13 @@ class Publications final : public Observer {
   double ways_stamp_;
   double map_stamp_;
   double map_update_stamp_;
+  double rooms_stamp_;
   std::optional<Frame> last_frame_;
   GridGeometry map_geometry_;
-  CellRect map_cells_;       // of the map, that were published
-  CellRect pending_change_;  // of it, since then
+  CellRect map_cells_;          // of the map, that were published
+  CellRect pending_change_;     // of it, since then
+  bool rooms_pending_ = false;  // a whole map was published since they were looked for
+  RoomMap rooms_;
   std::vector<Point2> plan_;
   std::vector<Pose2> path_;
 };

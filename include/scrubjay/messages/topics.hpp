@@ -59,6 +59,7 @@ inline constexpr Topic<String> kScenarioTopic{"scenario", kLatched};
 inline constexpr Topic<Path> kPathTopic{"path", kDefaultQos};
 inline constexpr Topic<Path> kPlanTopic{"plan", kDefaultQos};
 inline constexpr Topic<MarkerArray> kFrontiersTopic{"frontiers", kDefaultQos};
+inline constexpr Topic<MarkerArray> kRoomsTopic{"rooms", kLatched};
 inline constexpr Topic<DiagnosticArray> kDiagnosticsTopic{"/diagnostics", kDefaultQos};
 inline constexpr Topic<Log> kRosoutTopic{"/rosout", kLogging};
 inline constexpr Topic<Clock> kClockTopic{"/clock", kDefaultQos};
@@ -73,7 +74,7 @@ inline constexpr std::array kTopics{
     TopicInfo(kChargeRatioTopic),  TopicInfo(kTemperatureTopic), TopicInfo(kChargingStateTopic),
     TopicInfo(kBatteryStateTopic), TopicInfo(kJointStatesTopic), TopicInfo(kRobotDescriptionTopic),
     TopicInfo(kScenarioTopic),     TopicInfo(kPathTopic),        TopicInfo(kPlanTopic),
-    TopicInfo(kFrontiersTopic),    TopicInfo(kDiagnosticsTopic), TopicInfo(kRosoutTopic),
-    TopicInfo(kClockTopic)};
+    TopicInfo(kFrontiersTopic),    TopicInfo(kRoomsTopic),       TopicInfo(kDiagnosticsTopic),
+    TopicInfo(kRosoutTopic),       TopicInfo(kClockTopic)};
 
 }  // namespace scrubjay::ros

@@ -33,8 +33,11 @@ struct MeshFile {
 
 struct Marker {
   static constexpr std::int32_t kPoints = 8;  // of `type`
-  static constexpr std::int32_t kAdd = 0;     // of `action`
+  static constexpr std::int32_t kTextViewFacing = 9;
+  static constexpr std::int32_t kTriangleList = 11;
+  static constexpr std::int32_t kAdd = 0;  // of `action`
   static constexpr std::int32_t kDelete = 2;
+  static constexpr std::int32_t kDeleteAll = 3;
   static constexpr std::string_view kType = "visualization_msgs/msg/Marker";
   static constexpr std::string_view kHash = "RIHS01_45b13ccf791f225962bf74e746f9644518855d783a6f42ba0cc14fde2b4f3ce0";
   Header header;
@@ -69,13 +72,22 @@ struct Marker {
                       field("mesh_use_embedded_materials", &Marker::mesh_use_embedded_materials));
   }
   static constexpr auto constants() {
-    return std::array{Constant{"int32", "ARROW", 0},      Constant{"int32", "CUBE", 1},
-                      Constant{"int32", "SPHERE", 2},     Constant{"int32", "CYLINDER", 3},
-                      Constant{"int32", "LINE_STRIP", 4}, Constant{"int32", "LINE_LIST", 5},
-                      Constant{"int32", "CUBE_LIST", 6},  Constant{"int32", "SPHERE_LIST", 7},
-                      Constant{"int32", "POINTS", 8},     Constant{"int32", "TEXT_VIEW_FACING", 9},
-                      Constant{"int32", "ADD", 0},        Constant{"int32", "MODIFY", 0},
-                      Constant{"int32", "DELETE", 2},     Constant{"int32", "DELETEALL", 3}};
+    return std::array{Constant{"int32", "ARROW", 0},
+                      Constant{"int32", "CUBE", 1},
+                      Constant{"int32", "SPHERE", 2},
+                      Constant{"int32", "CYLINDER", 3},
+                      Constant{"int32", "LINE_STRIP", 4},
+                      Constant{"int32", "LINE_LIST", 5},
+                      Constant{"int32", "CUBE_LIST", 6},
+                      Constant{"int32", "SPHERE_LIST", 7},
+                      Constant{"int32", "POINTS", 8},
+                      Constant{"int32", "TEXT_VIEW_FACING", 9},
+                      Constant{"int32", "MESH_RESOURCE", 10},
+                      Constant{"int32", "TRIANGLE_LIST", 11},
+                      Constant{"int32", "ADD", 0},
+                      Constant{"int32", "MODIFY", 0},
+                      Constant{"int32", "DELETE", 2},
+                      Constant{"int32", "DELETEALL", 3}};
   }
   bool operator==(const Marker&) const = default;
 };
