@@ -22,6 +22,7 @@ void add_compare(CLI::App& app);
 void add_record(CLI::App& app);
 void add_tap(CLI::App& app);
 void add_render(CLI::App& app);
+void add_rooms(CLI::App& app);
 void add_score(CLI::App& app);
 void add_info(CLI::App& app);
 

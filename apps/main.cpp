@@ -79,6 +79,7 @@ int run(std::vector<std::string> words) {
   add_record(app);
   add_tap(app);
   add_render(app);
+  add_rooms(app);
   add_score(app);
   add_info(app);
   add_doctor(app);

@@ -4,6 +4,8 @@
 #include <limits>
 #include <scrubjay/io/drawing.hpp>
 #include <scrubjay/io/map_picture.hpp>
+#include <scrubjay/messages/room_markers.hpp>
+#include <string>
 
 #include "picture_frame.hpp"
 #include "picture_style.hpp"
@@ -54,6 +56,10 @@ struct Projection {
   Point2 operator()(const Point2& p) const {
     return {offset.x() + (p.x() - corner.x()) * pixels_per_metre, offset.y() + (corner.y() - p.y()) * pixels_per_metre};
   }
+  /// Middle of a pixel of the map's part.
+  Point2 point_at(int x, int y) const {
+    return {corner.x() + (x + 0.5) / pixels_per_metre, corner.y() - (y + 0.5) / pixels_per_metre};
+  }
   CanvasPose operator()(const Pose2& pose) const { return {(*this)(pose.position()), pose.yaw}; }
 };
 
@@ -70,9 +76,7 @@ void draw_cells(Canvas& canvas, const MapPicture& picture, const PageLayout& pag
   const GridGeometry& cells = picture.map.geometry;
   for (int y = 0; y < page.map_height; ++y) {
     for (int x = 0; x < page.map_width; ++x) {
-      const Point2 p{to_page.corner.x() + (x + 0.5) / to_page.pixels_per_metre,
-                     to_page.corner.y() - (y + 0.5) / to_page.pixels_per_metre};
-      const CellIndex cell = cells.cell_at(p);
+      const CellIndex cell = cells.cell_at(to_page.point_at(x, y));
       if (!cells.contains(cell) || picture.map[cell] < 0) continue;
       canvas.blend(page.map_left + x, page.map_top + y, color_of(picture.map[cell]));
     }
@@ -84,6 +88,34 @@ Color paper(Occupancy) {
 }
 Color ink(Occupancy cell) {
   return faded(style::kInk, static_cast<double>(cell) / kOccupied);
+}
+
+Color color_of(RoomLabel label) {
+  const ros::ColorRGBA color = ros::room_color(label);
+  const auto channel = [](float share) { return static_cast<std::uint8_t>(255.0F * share + 0.5F); };
+  return {channel(color.r), channel(color.g), channel(color.b)};
+}
+
+void draw_rooms(Canvas& canvas, const RoomMap& rooms, const PageLayout& page, const Projection& to_page) {
+  constexpr double kOpacity = 0.3;
+  if (rooms.rooms.empty()) return;
+  for (int y = 0; y < page.map_height; ++y) {
+    for (int x = 0; x < page.map_width; ++x) {
+      const CellIndex cell = rooms.geometry.cell_at(to_page.point_at(x, y));
+      if (!rooms.geometry.contains(cell) || rooms.view()[cell] == kNoRoom) continue;
+      canvas.blend(page.map_left + x, page.map_top + y, faded(color_of(rooms.view()[cell]), kOpacity));
+    }
+  }
+}
+
+void draw_room_labels(Canvas& canvas, const RoomMap& rooms, const Projection& to_page) {
+  constexpr int kScale = 3;
+  for (const Room& room : rooms.rooms) {
+    const std::string label = std::to_string(room.label);
+    const Point2 center = to_page(room.center);
+    canvas.draw_text(static_cast<int>(std::lround(center.x())) - text_width(label, kScale) / 2,
+                     static_cast<int>(std::lround(center.y())) - 7 * kScale / 2, label, kScale, style::kInk);
+  }
 }
 
 void draw_metre_lines(Canvas& canvas, const PageLayout& page, const Projection& to_page) {
@@ -144,11 +176,13 @@ Image draw_map(const MapPicture& picture) {
 
   Canvas canvas(page.width, page.height, style::kUnknownGround);
   draw_cells(canvas, picture, page, to_page, paper);
+  draw_rooms(canvas, picture.rooms, page, to_page);
   draw_metre_lines(canvas, page, to_page);
   for (const Segment2& wall : picture.true_walls) {
     canvas.draw_polyline(std::array{to_page(wall.a), to_page(wall.b)}, 3.0, style::kTrueWall);
   }
   draw_cells(canvas, picture, page, to_page, ink);
+  draw_room_labels(canvas, picture.rooms, to_page);
   draw_trajectory(canvas, picture.trajectory, to_page);
   draw_marks(canvas, picture, to_page);
   draw_frame(canvas, picture, page, to_page.pixels_per_metre, extent.high - extent.low);

@@ -12,19 +12,18 @@ constexpr double kLabelHeight = 0.1;   // above the floor [m]
 constexpr double kLetterHeight = 0.3;  // [m]
 constexpr float kOpacity = 0.4F;
 
-/// Neighbours in it are easy to tell apart.
-constexpr std::array<ColorRGBA, 12> kColors{{{0.90F, 0.10F, 0.29F, kOpacity},
-                                             {0.24F, 0.71F, 0.29F, kOpacity},
-                                             {0.00F, 0.51F, 0.78F, kOpacity},
-                                             {1.00F, 0.88F, 0.10F, kOpacity},
-                                             {0.57F, 0.12F, 0.71F, kOpacity},
-                                             {0.96F, 0.51F, 0.19F, kOpacity},
-                                             {0.27F, 0.94F, 0.94F, kOpacity},
-                                             {0.94F, 0.20F, 0.90F, kOpacity},
-                                             {0.67F, 0.43F, 0.16F, kOpacity},
-                                             {0.00F, 0.50F, 0.50F, kOpacity},
-                                             {0.82F, 0.96F, 0.24F, kOpacity},
-                                             {0.50F, 0.00F, 0.00F, kOpacity}}};
+constexpr std::array<ColorRGBA, 12> kColors{{{0.90F, 0.10F, 0.29F, 1.0F},
+                                             {0.24F, 0.71F, 0.29F, 1.0F},
+                                             {0.00F, 0.51F, 0.78F, 1.0F},
+                                             {1.00F, 0.88F, 0.10F, 1.0F},
+                                             {0.57F, 0.12F, 0.71F, 1.0F},
+                                             {0.96F, 0.51F, 0.19F, 1.0F},
+                                             {0.27F, 0.94F, 0.94F, 1.0F},
+                                             {0.94F, 0.20F, 0.90F, 1.0F},
+                                             {0.67F, 0.43F, 0.16F, 1.0F},
+                                             {0.00F, 0.50F, 0.50F, 1.0F},
+                                             {0.82F, 0.96F, 0.24F, 1.0F},
+                                             {0.50F, 0.00F, 0.00F, 1.0F}}};
 
 /// A rectangle of one room's cells.
 struct Tile {
@@ -67,7 +66,6 @@ Marker marker(const Header& header, std::string_view name, const Room& room, std
   marker.type = type;
   marker.action = Marker::kAdd;
   marker.pose.orientation.w = 1.0;
-  marker.color = kColors[(room.label - 1U) % kColors.size()];
   return marker;
 }
 
@@ -75,6 +73,8 @@ Marker floor_marker(const Header& header, const Room& room) {
   Marker floor = marker(header, "rooms", room, Marker::kTriangleList);
   floor.pose.position.z = kFloorHeight;
   floor.scale = {1.0, 1.0, 1.0};
+  floor.color = room_color(room.label);
+  floor.color.a = kOpacity;
   return floor;
 }
 
@@ -99,6 +99,10 @@ void add_tile(Marker& floor, const GridGeometry& grid, const CellRect& cells) {
 }
 
 }  // namespace
+
+ColorRGBA room_color(RoomLabel label) {
+  return kColors[(label - 1U) % kColors.size()];
+}
 
 MarkerArray room_markers(const Header& header, const RoomMap& rooms) {
   MarkerArray message;

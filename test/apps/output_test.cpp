@@ -19,8 +19,8 @@ using testing::HasSubstr;
 
 TEST(HelpTest, FitsAnEightyColumnTerminal) {
   std::vector<Words> calls{{"--help"}};
-  for (const char* command :
-       {"explore", "replay", "compare", "calibrate", "emulate", "record", "tap", "render", "score", "info", "doctor"})
+  for (const char* command : {"explore", "replay", "compare", "calibrate", "emulate", "record", "tap", "render",
+                              "rooms", "score", "info", "doctor"})
     calls.push_back({command, "--help"});
   for (const Words& call : calls) {
     const Outcome outcome = scrubjay(call);

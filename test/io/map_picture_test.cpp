@@ -58,6 +58,17 @@ TEST(MapPictureTest, DrawsEachCellWithItsWholePixels) {
   EXPECT_NEAR(static_cast<double>(count(image, kPaper)), 4.0 * kCell, 60.0);
 }
 
+TEST(MapPictureTest, TintsRooms) {
+  OccupancyGrid map{{0.05, {0.0, 0.0}, 40, 40}, std::vector<Occupancy>(40 * 40, kFree)};
+  MapPicture picture;
+  picture.map = map.view();
+  const std::size_t paper = count(map_part(draw_map(picture)), kPaper);
+  picture.rooms = {map.geometry, std::vector<RoomLabel>(40 * 40, kNoRoom), {{1, 1.0, {0.5, 1.0}, {}}}, {}};
+  for (std::size_t i = 0; i < 800; ++i) picture.rooms.labels[i] = 1;  // the lower half
+  EXPECT_NEAR(static_cast<double>(count(map_part(draw_map(picture)), kPaper)), 0.5 * static_cast<double>(paper),
+              0.01 * static_cast<double>(paper));
+}
+
 TEST(MapPictureTest, PutsTheMapsLastRowOnTop) {
   const OccupancyGrid map = map_of({"##", "..", ".."});
   MapPicture picture;

@@ -7,6 +7,7 @@
 #include <scrubjay/geometry/segment2.hpp>
 #include <scrubjay/grid/grid_view.hpp>
 #include <scrubjay/io/image.hpp>
+#include <scrubjay/mapping/rooms.hpp>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace scrubjay {
 /// What a picture shows, all in the map's frame [m, rad]; what is empty is left out.
 struct MapPicture {
   GridView<const Occupancy> map;
+  RoomMap rooms;                     ///< each in a colour of its own, its label at its center
   std::vector<Segment2> true_walls;  ///< drawn faintly beneath the map, to compare with
   std::vector<Pose2> trajectory;     ///< from light to saturated along its course
   std::optional<Pose2> robot;
