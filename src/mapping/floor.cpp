@@ -133,7 +133,7 @@ void clear_things(Floor& floor, std::int32_t largest, std::int32_t gap) {
   Things things(floor.view(), std::max(gap, 1));
   for (const Run& run : things.runs()) {
     const CellRect& bounds = things.bounds(run);
-    // What is around the floor is as large as all of it, and thus never cleared.
+    // What is around the floor doesn't stand on it, however small it is.
     if (bounds.contains({0, 0})) continue;
     if (bounds.high.x - bounds.low.x > largest || bounds.high.y - bounds.low.y > largest) continue;
     const std::size_t begin = floor.geometry.index({run.begin, run.y});

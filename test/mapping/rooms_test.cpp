@@ -151,6 +151,19 @@ TEST(RoomsTest, TakeInSliversAndLeaveOutSpots) {
   EXPECT_NEAR(rooms.rooms[0].area, 12.0 + 0.04 + 1.2, 1e-9);
 }
 
+TEST(RoomsTest, AreNoneInTwoClosetsThatAreTooSmallTogether) {
+  EXPECT_EQ(count(FloorPlan(3.0, 1.3).carve(0.2, 0.2, 1.1, 1.1).carve(1.2, 0.2, 2.1, 1.1).carve(1.1, 0.4, 1.2, 0.8)),
+            0u);
+}
+
+TEST(RoomsTest, MayBeAsSmallAsAThing) {
+  RoomParams params;
+  params.least_area = 0.5;
+  const RoomMap rooms = rooms_of(FloorPlan(1.0, 1.0).carve(0.0, 0.0, 1.0, 1.0), params);
+  ASSERT_EQ(rooms.rooms.size(), 1u);
+  EXPECT_NEAR(rooms.rooms[0].area, 1.0, 1e-9);
+}
+
 TEST(RoomsTest, EndWhereTheMapDoes) {
   // The room behind the door was only seen through it.
   FloorPlan plan = two_rooms_with_gap(0.85).forget(5.5, 0.0, 7.5, 3.4).forget(4.3, 2.4, 7.5, 3.4);
