@@ -44,7 +44,8 @@ ros::ParticipantOptions options_of(const RosFlags& flags, bool quiet) {
 /// Others steer by their commands.
 class RemoteSteering final : public Steering {
  public:
-  explicit RemoteSteering(const RobotModel& robot) : commands_({robot.max_linear_speed, robot.max_angular_speed}) {}
+  RemoteSteering(const RobotModel& robot, ros::Commands::Tell tell)
+      : commands_({robot.max_linear_speed, robot.max_angular_speed}, std::move(tell)) {}
 
   ros::Commands& commands() { return commands_; }
   std::unique_ptr<Behavior> behavior(const RobotModel& robot) override {
@@ -93,7 +94,7 @@ ros::MessageSink& RosNode::sink() {
 }
 
 Steering& RosNode::steering(const RobotModel& robot) {
-  state_->bridge.listen(state_->steering.emplace(robot).commands());
+  state_->bridge.listen(state_->steering.emplace(robot, state_->quiet ? nullptr : tell).commands());
   return *state_->steering;
 }
 
@@ -101,9 +102,9 @@ void RosNode::finish() {
   state_->bridge.flush(kPatience);
   if (!state_->steering || state_->quiet) return;
   const ros::CommandTally tally = state_->steering->commands().tally();
-  if (tally.malformed + tally.out_of_range == 0) return;
+  if (tally.malformed + tally.out_of_range + tally.other_frame == 0) return;
   tell(fmt::format("refused {} messages that nobody could read, and {} that asked for what can't be", tally.malformed,
-                   tally.out_of_range));
+                   tally.out_of_range + tally.other_frame));
 }
 
 }  // namespace scrubjay::apps

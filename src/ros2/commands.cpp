@@ -5,6 +5,8 @@
 #include <scrubjay/messages/create_msgs.hpp>
 #include <scrubjay/messages/geometry_msgs.hpp>
 #include <scrubjay/ros2/commands.hpp>
+#include <string_view>
+#include <vector>
 
 namespace scrubjay::ros {
 namespace {
@@ -12,12 +14,20 @@ namespace {
 // What is beyond these is no wish but garbage.
 constexpr double kAbsurdSpeed = 10.0;  // [m/s]
 constexpr double kAbsurdTurn = 100.0;  // [rad/s]
-constexpr double kAbsurdPlace = 1e5;   // [m]
-constexpr std::size_t kMostOrders = 32;
-constexpr double kNoteTicks = 64.0;  // a second
+constexpr double kNoteTicks = 64.0;    // a second
 
 bool within(double value, double limit) {
   return std::fabs(value) <= limit;  // never true of what is not a number
+}
+
+bool within(const Vector3& values, double limit) {
+  return within(values.x, limit) && within(values.y, limit) && within(values.z, limit);
+}
+
+/// As tf2's predecessor wrote them, and some still do.
+bool is_map(std::string_view frame) {
+  if (frame.starts_with('/')) frame.remove_prefix(1);
+  return frame == FrameNames{}.map;
 }
 
 /// With length 1, which rviz and people round; none if it is no rotation.
@@ -56,9 +66,22 @@ bool Commands::append(const oi::Command& command) {
   return true;
 }
 
-std::vector<oi::Command> Commands::orders() {
+Wishes Commands::wishes() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(orders_, {});
+  return std::exchange(wishes_, {});
+}
+
+std::optional<Pose2> Commands::initial_pose() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(initial_pose_, std::nullopt);
+}
+
+std::optional<oi::Command> Commands::next_order() {
+  const std::lock_guard lock(mutex_);
+  if (orders_.empty()) return std::nullopt;
+  const oi::Command first = orders_.front();
+  orders_.pop_front();
+  return first;
 }
 
 CommandTally Commands::tally() const {
@@ -66,52 +89,86 @@ CommandTally Commands::tally() const {
   return tally_;
 }
 
-void Commands::take_velocity(double linear, double angular) {
-  if (!within(linear, kAbsurdSpeed) || !within(angular, kAbsurdTurn)) return refuse(&CommandTally::out_of_range);
+void Commands::refuse_frame(const char* topic) {
+  bool is_first = false;
+  {
+    const std::lock_guard lock(mutex_);
+    is_first = tally_.other_frame++ == 0;
+  }
+  if (!is_first || !tell_) return;
+  tell_(std::string(topic) + ": refused a pose that isn't in the frame " + FrameNames{}.map +
+        "; want that for its frame_id (in rviz, for the Fixed Frame)");
+}
+
+void Commands::take_velocity(const Twist& twist) {
+  // The others are no wishes to a robot on a floor, but who sends garbage in them has computed garbage.
+  if (!within(twist.linear, kAbsurdSpeed) || !within(twist.angular, kAbsurdTurn)) {
+    return refuse(&CommandTally::out_of_range);
+  }
+  const double linear = twist.linear.x;
+  const double angular = twist.angular.z;
   const double share = std::min({1.0, linear != 0.0 ? limits_.linear / std::fabs(linear) : 1.0,
                                  angular != 0.0 ? limits_.angular / std::fabs(angular) : 1.0});
   const std::lock_guard lock(mutex_);
   ++tally_.taken;
-  velocity_ = Motion{share * linear, share * angular};
+  wishes_.velocity = Motion{share * linear, share * angular};
+  wishes_.goal_is_newer = false;
 }
 
 void Commands::take_twist(Bytes message) {
   const auto twist = decode<Twist>(message);
   if (!twist) return refuse(&CommandTally::malformed);
-  take_velocity(twist->linear.x, twist->angular.z);
+  take_velocity(*twist);
 }
 
 void Commands::take_twist_stamped(Bytes message) {
-  const auto twist = decode<TwistStamped>(message);
-  if (!twist) return refuse(&CommandTally::malformed);
-  take_velocity(twist->twist.linear.x, twist->twist.angular.z);
+  const auto stamped = decode<TwistStamped>(message);
+  if (!stamped) return refuse(&CommandTally::malformed);
+  take_velocity(stamped->twist);
 }
 
-void Commands::take_pose(const Pose& pose, std::optional<Pose2>& slot) {
+std::optional<Pose2> Commands::place(const Header& header, const Pose& pose, const char* topic) {
+  const Point& at = pose.position;
   const auto turn = normalized(pose.orientation);
-  if (!within(pose.position.x, kAbsurdPlace) || !within(pose.position.y, kAbsurdPlace) || !turn) {
-    return refuse(&CommandTally::out_of_range);
+  if (!within(at.x, kReach) || !within(at.y, kReach) || !within(at.z, kReach) || !turn) {
+    refuse(&CommandTally::out_of_range);
+  } else if (!is_map(header.frame_id)) {
+    refuse_frame(topic);
+  } else {
+    return pose_of(Pose{at, *turn});
   }
-  const std::lock_guard lock(mutex_);
-  ++tally_.taken;
-  slot = pose_of(Pose{pose.position, *turn});
+  return std::nullopt;
 }
 
 void Commands::take_goal(Bytes message) {
   const auto goal = decode<PoseStamped>(message);
   if (!goal) return refuse(&CommandTally::malformed);
-  take_pose(goal->pose, goal_);
+  const auto pose = place(goal->header, goal->pose, "goal_pose");
+  if (!pose) return;
+  const std::lock_guard lock(mutex_);
+  ++tally_.taken;
+  wishes_.goal = pose;
+  wishes_.goal_is_newer = true;
 }
 
 void Commands::take_initial_pose(Bytes message) {
-  const auto pose = decode<PoseWithCovarianceStamped>(message);
-  if (!pose) return refuse(&CommandTally::malformed);
-  take_pose(pose->pose.pose, initial_pose_);
+  const auto told = decode<PoseWithCovarianceStamped>(message);
+  if (!told) return refuse(&CommandTally::malformed);
+  const auto& covariance = told->pose.covariance;
+  if (!std::all_of(covariance.begin(), covariance.end(), [](double value) { return std::isfinite(value); })) {
+    return refuse(&CommandTally::out_of_range);
+  }
+  const auto pose = place(told->header, told->pose.pose, "initialpose");
+  if (!pose) return;
+  const std::lock_guard lock(mutex_);
+  ++tally_.taken;
+  initial_pose_ = pose;
 }
 
 void Commands::take_dock(Bytes message) {
   if (!decode<Empty>(message)) return refuse(&CommandTally::malformed);
-  order(oi::SeekDock{});
+  const std::lock_guard lock(mutex_);
+  if (append(oi::SeekDock{})) wishes_ = {.dock = true};
 }
 
 void Commands::take_undock(Bytes message) {

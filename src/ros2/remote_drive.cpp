@@ -27,20 +27,35 @@ RemoteDrive::RemoteDrive(const RobotModel& robot, Commands& commands, const Remo
 Decision RemoteDrive::decide(const Situation& situation) {
   const CellRect costs_changed = costs_.update(situation.map, situation.changed);
   const double now = situation.frame.stamp;
-  if (const auto goal = commands_.goal()) {
-    goal_ = goal;
-    set_out(situation.map.geometry);
+  take(commands_.wishes(), situation.map.geometry, now);
+  if (goal_) return drive_to_goal(situation, costs_changed);
+  if (velocity_ == Motion{} || now - velocity_stamp_ >= params_.timeout) return {{}, "waiting"};
+  return {velocity_, "driven by others"};
+}
+
+void RemoteDrive::take(const Wishes& wishes, const GridGeometry& map, double now) {
+  if (wishes.dock) {
+    goal_.reset();
     velocity_ = {};
   }
-  if (const auto velocity = commands_.velocity()) {
-    velocity_ = *velocity;
-    velocity_stamp_ = now;
-    goal_.reset();
-  }
-  if (goal_) return drive_to_goal(situation, costs_changed);
-  const bool stands = velocity_.linear == 0.0 && velocity_.angular == 0.0;
-  if (stands || now - velocity_stamp_ >= params_.timeout) return {{}, "waiting"};
-  return {velocity_, "driven by others"};
+  if (wishes.velocity && wishes.goal_is_newer) take_velocity(*wishes.velocity, now);
+  if (wishes.goal) take_goal(*wishes.goal, map);
+  if (wishes.velocity && !wishes.goal_is_newer) take_velocity(*wishes.velocity, now);
+}
+
+void RemoteDrive::take_velocity(const Motion& velocity, double now) {
+  const bool rested = rests_ && now - velocity_stamp_ < params_.timeout;
+  rests_ = velocity == Motion{};
+  velocity_stamp_ = now;
+  if (rested && rests_) return;  // nothing new
+  velocity_ = velocity;
+  goal_.reset();
+}
+
+void RemoteDrive::take_goal(const Pose2& goal, const GridGeometry& map) {
+  goal_ = goal;
+  velocity_ = {};
+  set_out(map);
 }
 
 void RemoteDrive::set_out(const GridGeometry& map) {

@@ -36,16 +36,18 @@ inline Pose pose_at(double x, double y, const Quaternion& turn) {
   return pose;
 }
 
-inline Bytes goal(const Pose& pose) {
+inline Bytes goal(const Pose& pose, const std::string& frame = "map") {
   PoseStamped message;
-  message.header.frame_id = "map";
+  message.header.frame_id = frame;
   message.pose = pose;
   return encode(message);
 }
 
-inline Bytes initial_pose(const Pose& pose) {
+inline Bytes initial_pose(const Pose& pose, const std::string& frame = "map", double covariance = 0.25) {
   PoseWithCovarianceStamped message;
+  message.header.frame_id = frame;
   message.pose.pose = pose;
+  message.pose.covariance[7] = covariance;
   return encode(message);
 }
 
@@ -70,31 +72,41 @@ inline std::vector<std::vector<int>> as_bytes(const std::vector<oi::Command>& co
   return all;
 }
 
+inline std::vector<oi::Command> all_orders(Commands& commands) {
+  std::vector<oi::Command> all;
+  while (const auto order = commands.next_order()) all.push_back(*order);
+  return all;
+}
+
 class CommandsTest : public ::testing::Test {
  protected:
   /// Since it was asked last.
   CommandTally counted() {
     const CommandTally now = commands.tally();
     const CommandTally since{now.taken - before_.taken, now.malformed - before_.malformed,
-                             now.out_of_range - before_.out_of_range};
+                             now.out_of_range - before_.out_of_range, now.other_frame - before_.other_frame};
     before_ = now;
     return since;
   }
-  void expect_taken() { expect_counts({1, 0, 0}); }
-  void expect_malformed() { expect_counts({0, 1, 0}); }
-  void expect_out_of_range() { expect_counts({0, 0, 1}); }
+  void expect_taken() { expect_counts({1, 0, 0, 0}); }
+  void expect_malformed() { expect_counts({0, 1, 0, 0}); }
+  void expect_out_of_range() { expect_counts({0, 0, 1, 0}); }
+  void expect_other_frame() { expect_counts({0, 0, 0, 1}); }
   void expect_nothing_wanted() {
-    EXPECT_FALSE(commands.velocity());
-    EXPECT_FALSE(commands.goal());
+    const Wishes wishes = commands.wishes();
+    EXPECT_FALSE(wishes.dock);
+    EXPECT_FALSE(wishes.velocity);
+    EXPECT_FALSE(wishes.goal);
     EXPECT_FALSE(commands.initial_pose());
-    EXPECT_TRUE(commands.orders().empty());
+    EXPECT_FALSE(commands.next_order());
   }
 
+  std::optional<Motion> velocity() { return commands.wishes().velocity; }
+  std::vector<oi::Command> orders() { return all_orders(commands); }
   void forget() {
-    (void)commands.velocity();
-    (void)commands.goal();
+    (void)commands.wishes();
     (void)commands.initial_pose();
-    (void)commands.orders();
+    (void)orders();
   }
 
   Commands commands{kLimits};
@@ -105,6 +117,7 @@ class CommandsTest : public ::testing::Test {
     EXPECT_EQ(since.taken, expected.taken);
     EXPECT_EQ(since.malformed, expected.malformed);
     EXPECT_EQ(since.out_of_range, expected.out_of_range);
+    EXPECT_EQ(since.other_frame, expected.other_frame);
   }
   CommandTally before_;
 };

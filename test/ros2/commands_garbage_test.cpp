@@ -82,19 +82,19 @@ TEST_F(CommandsGarbageTest, GarbageWithASoundHeadIsAtMostAnObeyableCommand) {
       bytes[1] = static_cast<std::byte>(random.below(2));
       taker.take(commands, bytes);
       const CommandTally tally = counted();
-      ASSERT_EQ(tally.taken + tally.malformed + tally.out_of_range, 1u);
-      const auto velocity = commands.velocity();
-      if (velocity) {
+      ASSERT_EQ(tally.taken + tally.malformed + tally.out_of_range + tally.other_frame, 1u);
+      const Wishes wishes = commands.wishes();
+      if (const auto& velocity = wishes.velocity) {
         ASSERT_LE(std::fabs(velocity->linear), kLimits.linear * (1.0 + 1e-12));
         ASSERT_LE(std::fabs(velocity->angular), kLimits.angular * (1.0 + 1e-12));
       }
-      for (const auto& pose : {commands.goal(), commands.initial_pose()}) {
+      for (const auto& pose : {wishes.goal, commands.initial_pose()}) {
         if (!pose) continue;
-        ASSERT_LE(std::fabs(pose->x), 1e5);
-        ASSERT_LE(std::fabs(pose->y), 1e5);
+        ASSERT_LE(std::fabs(pose->x), Commands::kReach);
+        ASSERT_LE(std::fabs(pose->y), Commands::kReach);
         ASSERT_LE(std::fabs(pose->yaw), 3.1416);
       }
-      for (const oi::Command& order : commands.orders()) {
+      for (const oi::Command& order : orders()) {
         ASSERT_TRUE(oi::valid_on(order, oi::Model::Create2) || oi::valid_on(order, oi::Model::Create1));
       }
     }
@@ -113,10 +113,10 @@ TEST_F(CommandsGarbageTest, DamagedMessagesAreAtMostObeyableCommands) {
       }
       taker.take(commands, bytes);
       const CommandTally tally = counted();
-      ASSERT_EQ(tally.taken + tally.malformed + tally.out_of_range, 1u);
-      if (const auto velocity = commands.velocity()) {
-        ASSERT_LE(std::fabs(velocity->linear), kLimits.linear * (1.0 + 1e-12));
-        ASSERT_LE(std::fabs(velocity->angular), kLimits.angular * (1.0 + 1e-12));
+      ASSERT_EQ(tally.taken + tally.malformed + tally.out_of_range + tally.other_frame, 1u);
+      if (const auto told = velocity()) {
+        ASSERT_LE(std::fabs(told->linear), kLimits.linear * (1.0 + 1e-12));
+        ASSERT_LE(std::fabs(told->angular), kLimits.angular * (1.0 + 1e-12));
       }
       forget();
     }

@@ -39,6 +39,7 @@ class RemoteDriveTest : public ::testing::Test {
     estimate.pose = {room.point('a').x(), room.point('a').y(), 0.0};
     return drive.decide({frame, estimate, std::as_const(room).view(), room.all()});
   }
+  std::string doing_at(double stamp) { return decide_at(stamp).doing; }
   void tell(double linear, double angular) { commands.take_twist(told_velocity(linear, angular)); }
   void send_to(const Pose2& pose) { commands.take_goal(told_goal(pose)); }
   Pose2 mark(char name, double yaw = 0.0) const { return {room.point(name).x(), room.point(name).y(), yaw}; }
@@ -112,17 +113,79 @@ TEST_F(RemoteDriveTest, TheNewerOfGoalAndVelocityHasTheSay) {
   tell(0.1, 0.0);
   EXPECT_EQ(decide_at(0.0).motion, (Motion{0.1, 0.0}));
   send_to(mark('b'));
-  EXPECT_EQ(std::string(decide_at(0.015).doing), "to a goal");
+  EXPECT_EQ(doing_at(0.015), "to a goal");
   EXPECT_FALSE(drive.plan().empty());
   tell(-0.1, 0.0);
   EXPECT_EQ(decide_at(0.03).motion, (Motion{-0.1, 0.0}));
   EXPECT_TRUE(drive.plan().empty());
   EXPECT_EQ(decide_at(2.0).motion, Motion{}) << "the goal is forgotten, not put off";
   send_to(mark('c'));
-  EXPECT_EQ(std::string(decide_at(2.015).doing), "to a goal");
+  EXPECT_EQ(doing_at(2.015), "to a goal");
+}
+
+TEST_F(RemoteDriveTest, TheNewerHasTheSayAlsoWhereBothComeWithinATick) {
+  tell(0.1, 0.0);
+  send_to(mark('b'));
+  EXPECT_EQ(doing_at(0.0), "to a goal");
+  send_to(mark('c'));
+  tell(0.1, 0.0);
+  EXPECT_EQ(doing_at(0.015), "driven by others");
+}
+
+TEST_F(RemoteDriveTest, ToBeToldToStandOutOfSilenceEndsTheWayToAGoal) {
+  send_to(mark('b'));
+  EXPECT_EQ(doing_at(2.0), "to a goal");
   tell(0.0, 0.0);
-  EXPECT_EQ(decide_at(2.03).motion, Motion{}) << "to be told to stand ends the way to a goal";
-  EXPECT_EQ(decide_at(2.045).motion, Motion{});
+  EXPECT_EQ(decide_at(2.015).motion, Motion{});
+  EXPECT_EQ(doing_at(2.03), "waiting");
+}
+
+TEST_F(RemoteDriveTest, ToBeToldToStandBehindAVelocityEndsTheWayToAGoal) {
+  tell(0.1, 0.0);
+  decide_at(2.0);
+  send_to(mark('b'));
+  EXPECT_EQ(doing_at(2.015), "to a goal");
+  tell(0.0, 0.0);
+  EXPECT_EQ(doing_at(2.03), "waiting");
+}
+
+TEST_F(RemoteDriveTest, AJoystickAtRestLeavesAGoalAlone) {
+  for (double stamp = 1.0; stamp < 2.0; stamp += 0.4) {
+    tell(0.0, 0.0);
+    EXPECT_EQ(doing_at(stamp), "waiting");
+  }
+  send_to(mark('b'));
+  for (double stamp = 2.0; stamp < 4.0; stamp += 0.4) {
+    tell(0.0, 0.0);
+    EXPECT_EQ(doing_at(stamp), "to a goal");
+  }
+  tell(0.1, 0.0);
+  EXPECT_EQ(doing_at(4.0), "driven by others") << "moved, it takes over";
+  tell(0.0, 0.0);
+  EXPECT_EQ(doing_at(4.4), "waiting") << "and let go, the goal is forgotten";
+}
+
+TEST_F(RemoteDriveTest, ToBeToldToStandIsAWishAgainBehindASilence) {
+  tell(0.0, 0.0);
+  decide_at(1.0);
+  send_to(mark('b'));
+  EXPECT_EQ(doing_at(1.25), "to a goal");
+  tell(0.0, 0.0);
+  EXPECT_EQ(doing_at(1.5), "waiting") << "half a second is a silence";
+}
+
+TEST_F(RemoteDriveTest, ToBeSentToTheDockEndsWhatWasWantedBefore) {
+  send_to(mark('b'));
+  EXPECT_EQ(doing_at(0.0), "to a goal");
+  commands.take_dock(encode(Empty{}));
+  EXPECT_EQ(doing_at(0.015), "waiting");
+  tell(0.1, 0.0);
+  decide_at(0.03);
+  commands.take_dock(encode(Empty{}));
+  EXPECT_EQ(decide_at(0.045).motion, Motion{});
+  commands.take_dock(encode(Empty{}));
+  send_to(mark('b'));
+  EXPECT_EQ(doing_at(0.06), "to a goal") << "what comes behind it counts";
 }
 
 TEST_F(RemoteDriveTest, AVelocityFromBeforeAGoalDoesNotComeBackAfterIt) {
@@ -136,7 +199,7 @@ TEST_F(RemoteDriveTest, AVelocityFromBeforeAGoalDoesNotComeBackAfterIt) {
 
 TEST_F(RemoteDriveTest, AGoalIsGivenUpAtABump) {
   send_to(mark('b'));
-  EXPECT_EQ(std::string(decide_at(0.0).doing), "to a goal");
+  EXPECT_EQ(doing_at(0.0), "to a goal");
   const Decision bumped = decide_at(0.015, /*bumped=*/true);
   EXPECT_EQ(bumped.motion, Motion{});
   EXPECT_EQ(std::string(bumped.doing), "bumped on the way to a goal");
@@ -156,7 +219,7 @@ TEST_F(RemoteDriveTest, SaysWhenThereIsNoWay) {
   const Decision decision = decide_at(0.0);
   EXPECT_EQ(decision.motion, Motion{});
   EXPECT_EQ(std::string(decision.doing), "no way to the goal");
-  EXPECT_EQ(std::string(decide_at(0.015).doing), "waiting");
+  EXPECT_EQ(doing_at(0.015), "waiting");
 }
 
 /// A map that covers more from call to call, of open floor nobody knows.

@@ -7,13 +7,14 @@
 
 namespace scrubjay::ros {
 
+/// One order a frame: however many there are, they leave most of a slow wire to the wheels.
 class OrderedRobot final : public Robot {
  public:
   /// Both must outlive it.
   OrderedRobot(Robot& robot, Commands& commands) : robot_(robot), commands_(commands) {}
 
   std::optional<Frame> next() override {
-    for (const oi::Command& command : commands_.orders()) robot_.order(command);
+    if (const auto command = commands_.next_order()) robot_.order(*command);
     return robot_.next();
   }
   void drive(const Motion& motion) override { robot_.drive(motion); }
