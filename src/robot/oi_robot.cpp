@@ -59,24 +59,42 @@ OiRobot::OiRobot(ByteChannel& channel, const RobotModel& model, const oi::Firmwa
 }
 
 void OiRobot::begin_session() {
-  if (!listens()) send(oi::Start{});  // which ends Safe and Full mode
-  if (!streams()) {
-    // From Passive to Safe; Safe itself leads down from Full only (Roomba SCI).
-    if (!listens()) send(oi::Control{});
-    ask(stamp_);
-    return;
+  if (!listens()) take_control();
+  want_frames();
+}
+
+/// Or lets it drive by itself, if it does.
+void OiRobot::take_control() {
+  send(oi::Start{});  // which ends Safe and Full mode
+  // From Passive to Safe; Safe itself leads down from Full only (Roomba SCI).
+  if (!streams()) send(oi::Control{});
+  if (own_errand_) {
+    send(*own_errand_);
+  } else if (streams()) {
+    send(oi::Safe{});
   }
-  if (!listens()) send(oi::Safe{});
-  send(oi::stream_of_all(model_.protocol));
+}
+
+void OiRobot::want_frames() {
+  if (streams()) {
+    send(oi::stream_of_all(model_.protocol));
+  } else {
+    ask(stamp_);
+  }
 }
 
 void OiRobot::restart() {
   link_ = LinkState::Silent;
-  keeps_mode_ = true;
-  drives_itself_ = false;
+  keeps_mode_ = !own_errand_;
   flush();
-  begin_session();
-  left_speed_ = right_speed_ = 0;  // Start makes it stand
+  // Start would end what it is at, and most silences are the wire's.
+  if (own_errand_ && !restarted_) {
+    want_frames();
+  } else {
+    begin_session();
+    left_speed_ = right_speed_ = 0;  // Start makes it stand
+  }
+  restarted_ = true;
 }
 
 bool OiRobot::send(const oi::Command& command) {
@@ -140,6 +158,7 @@ bool OiRobot::receive() {
   }
   if (frame_count_ > 0) {
     link_ = LinkState::Alive;
+    restarted_ = false;
     return true;
   }
   if (!read.open) {
@@ -185,10 +204,14 @@ void OiRobot::arrive(const oi::DecodeStatus& status, double stamp) {
 }
 
 void OiRobot::keep_mode(const Frame& frame) {
-  if (listens() || !keeps_mode_ || !sensors_.has(PacketId::OiMode)) return;
-  if (frame.mode == oi::OiMode::Safe || frame.mode == oi::OiMode::Full) return;
-  if (frame.wheel_dropped() || frame.battery.charging) return;
-  if (frame.stamp - mode_sent_stamp_ < kRetryInterval) return;
+  if (listens() || !sensors_.has(PacketId::OiMode) || frame.stamp - mode_sent_stamp_ < kRetryInterval) return;
+  const bool has_control = frame.mode == oi::OiMode::Safe || frame.mode == oi::OiMode::Full;
+  if (own_errand_ && has_control) {
+    // What it was ordered leads to Passive: it didn't hear, and goes on as it was told before.
+    mode_sent_stamp_ = frame.stamp;
+    send(*own_errand_);
+  }
+  if (!keeps_mode_ || has_control || frame.wheel_dropped() || frame.battery.charging) return;
   mode_sent_stamp_ = frame.stamp;
   if (frame.mode == oi::OiMode::Off) send(oi::Start{});
   send(oi::Safe{});
@@ -215,14 +238,15 @@ bool OiRobot::order(const oi::Command& command) {
     case oi::Opcode::Clean:
     case oi::Opcode::Spot:
     case oi::Opcode::Max:
-      drives_itself_ = true;
+      own_errand_ = command;
       keeps_mode_ = false;
+      mode_sent_stamp_ = stamp_;
       left_speed_ = right_speed_ = 0;
       wanted_ = {};
       break;
     case oi::Opcode::Safe:
     case oi::Opcode::Full:
-      drives_itself_ = false;
+      own_errand_.reset();
       keeps_mode_ = true;
       break;
     default:
@@ -233,8 +257,8 @@ bool OiRobot::order(const oi::Command& command) {
 
 void OiRobot::drive(const Motion& motion) {
   if (listens()) return;
-  if (drives_itself_ && motion == Motion{}) return;
-  drives_itself_ = false;
+  if (own_errand_ && motion == Motion{}) return;
+  own_errand_.reset();
   // What isn't a number moves no wheel; what is too fast for one wheel slows both, so that the curve stays.
   const bool sound = std::isfinite(motion.linear) && std::isfinite(motion.angular);
   const double linear = sound ? motion.linear : 0.0;
@@ -257,7 +281,8 @@ void OiRobot::halt() {
 
 void OiRobot::stop() {
   if (listens()) return;
-  keeps_mode_ = driven_ = drives_itself_ = false;
+  keeps_mode_ = driven_ = false;
+  own_errand_.reset();
   left_speed_ = right_speed_ = 0;
   wanted_ = {};
   flush();

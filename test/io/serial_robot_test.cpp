@@ -178,6 +178,36 @@ TEST_F(SerialRobotTest, GoesOnWithARobotThatWasSilentForAWhile) {
   EXPECT_NEAR(way, fake.rolled(), 0.03);
 }
 
+TEST_F(SerialRobotTest, LeavesARobotThatDocksAloneThroughASilence) {
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 20);
+  EXPECT_TRUE(robot.order(oi::SeekDock{}));
+  drive(robot, 20, 0.0);
+  ASSERT_EQ(fake.mode(), oi::OiMode::Passive);
+  const std::uint64_t silences = robot.report().silences;
+  std::jthread unplugged([&] {
+    fake.fall_silent();
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    fake.speak_again();
+  });
+  for (int i = 0; i < 200 && robot.report().silences == silences; ++i) drive(robot, 1, 0.0);
+  drive(robot, 40, 0.0);
+  EXPECT_GT(robot.report().silences, silences);
+  EXPECT_EQ(fake.mode(), oi::OiMode::Passive) << "Safe would have ended its docking";
+}
+
+TEST_F(SerialRobotTest, SendsARobotThatWasStartedAnewToItsDockAgain) {
+  FakeRobot fake(port());
+  SerialRobot robot(address(), {}, stop_.get_token(), params_);
+  drive(robot, 5);
+  EXPECT_TRUE(robot.order(oi::SeekDock{}));
+  drive(robot, 5, 0.0);
+  fake.start_anew();
+  drive(robot, 40, 0.0);
+  EXPECT_EQ(fake.mode(), oi::OiMode::Passive);
+}
+
 TEST_F(SerialRobotTest, TellsASilentRobotToStand) {
   FakeRobot fake(port());
   SerialRobot robot(address(), {}, stop_.get_token(), params_);

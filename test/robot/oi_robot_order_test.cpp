@@ -11,13 +11,17 @@ namespace scrubjay {
 namespace {
 
 using oi::PacketId;
+using testing::AllOf;
+using testing::AnyOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
 
+const Bytes kStart{128};
 const Bytes kSafe{131};
 const Bytes kSeekDock{143};
+const Bytes kStream{148, 1, 100};
 const Bytes kForward{145, 0, 100, 0, 100};
 const Bytes kStand{145, 0, 0, 0, 0};
 constexpr int kPassiveMode = 1;
@@ -44,6 +48,16 @@ class OiRobotOrderTest : public testing::Test {
       robot.drive(motion);
     }
     return channel.take_written();
+  }
+
+  /// Says nothing until the robot counts as silent.
+  void fall_silent() {
+    for (int i = 0; i < 10; ++i) {
+      stamp_ += 0.02;
+      channel.give(stamp_, {});
+      EXPECT_FALSE(robot.poll());
+    }
+    ASSERT_EQ(robot.link(), LinkState::Silent);
   }
 
   ScriptedChannel channel;
@@ -115,12 +129,52 @@ TEST_F(OiRobotOrderTest, SongsDoNotEndTheDocking) {
 TEST_F(OiRobotOrderTest, OneThatDocksIsNotToldToStandWhenItFallsSilent) {
   robot.order(oi::SeekDock{});
   written_in(10, kPassiveMode, {});
-  for (double stamp = 2.0; stamp < 2.5; stamp += 0.02) {
-    channel.give(stamp, {});
-    (void)robot.next();
-  }
-  EXPECT_EQ(robot.link(), LinkState::Silent);
+  fall_silent();
   EXPECT_THAT(channel.written, IsEmpty());
+}
+
+TEST_F(OiRobotOrderTest, AShortSilenceDoesNotEndTheDocking) {
+  robot.order(oi::SeekDock{});
+  for (int silence = 0; silence < 3; ++silence) {
+    written_in(10, kPassiveMode, {});
+    fall_silent();
+    robot.restart();
+    const std::vector<Bytes> written = channel.take_written();
+    EXPECT_THAT(written, Contains(kStream));
+    EXPECT_THAT(written, Not(Contains(AnyOf(kStart, kSafe, kSeekDock))));
+  }
+  EXPECT_THAT(written_in(100, kPassiveMode, {}), IsEmpty());
+}
+
+TEST_F(OiRobotOrderTest, IsOrderedAgainWhereItMayHaveBeenStartedAnew) {
+  robot.order(oi::SeekDock{});
+  written_in(10, kPassiveMode, {});
+  fall_silent();
+  robot.restart();
+  channel.take_written();
+  robot.restart();
+  std::vector<Bytes> written = channel.take_written();
+  std::erase_if(written, [](const Bytes& bytes) { return bytes.front() == 0; });
+  EXPECT_THAT(written, ElementsAre(kStart, kSeekDock, kStream));
+  EXPECT_THAT(written_in(100, kPassiveMode, {}), IsEmpty());
+}
+
+TEST_F(OiRobotOrderTest, AMotionBehindTheDockingIsTakenUpAfterASilence) {
+  robot.order(oi::SeekDock{});
+  written_in(10, kPassiveMode, {});
+  written_in(50, kSafeMode, {0.1, 0.0});
+  fall_silent();
+  channel.take_written();
+  robot.restart();
+  EXPECT_THAT(channel.written, AllOf(Contains(kSafe), Not(Contains(kSeekDock))));
+}
+
+TEST_F(OiRobotOrderTest, IsToldAgainToDockIfItStaysUnderControl) {
+  written_in(10, kSafeMode, {0.1, 0.0});
+  robot.order(oi::SeekDock{});
+  EXPECT_THAT(written_in(15, kSafeMode, {}), IsEmpty()) << "it may need a moment";
+  EXPECT_THAT(written_in(15, kSafeMode, {}), ElementsAre(kSeekDock));
+  EXPECT_THAT(written_in(100, kPassiveMode, {}), IsEmpty());
 }
 
 TEST_F(OiRobotOrderTest, StopEndsTheDocking) {

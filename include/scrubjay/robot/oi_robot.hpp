@@ -51,8 +51,9 @@ class OiRobot final : public Robot {
   std::optional<Frame> poll();
   /// Nothing, in a session that listens.
   void drive(const Motion& motion) override;
-  /// One that has it drive by itself (Seek Dock, Clean, Spot, Max) is left alone with it until a motion is wanted
-  /// again, or Safe or Full mode. False in a session that listens, and if the channel has ended.
+  /// One that has it drive by itself (Seek Dock, Clean, Spot, Max) is left alone with it, through silences too, until a
+  /// motion is wanted again, or Safe or Full mode; and is told again if its mode shows that it didn't hear. False in a
+  /// session that listens, and if the channel has ended.
   bool order(const oi::Command& command) override;
   void stop() override;
   /// After stop(): reads on until the robot says that it is Passive, for `patience` [s] by the channel's stamps at
@@ -60,7 +61,8 @@ class OiRobot final : public Robot {
   bool confirm_stop(double patience);
 
   /// Takes the session up again with a robot that fell silent, and that may have been started anew. Its way goes on
-  /// from where it was.
+  /// from where it was. One that drives by itself is only asked for frames, the first time in a silence; then it is
+  /// started, and told again what it was ordered.
   void restart();
   /// Tells the robot to stand, whatever it was told before; the next motion is told in any case.
   void halt();
@@ -86,6 +88,8 @@ class OiRobot final : public Robot {
   bool streams() const { return model_.protocol != oi::Model::Roomba400; }
   bool listens() const { return session_ == Session::Listen; }
   void begin_session();
+  void take_control();
+  void want_frames();
   bool send(const oi::Command& command);
   void tell(int left, int right);
   void flush();
@@ -109,7 +113,7 @@ class OiRobot final : public Robot {
   LinkState link_ = LinkState::Alive;
   bool started_ = false;
   bool keeps_mode_ = true;        // takes control again where it was lost
-  bool drives_itself_ = false;    // it was ordered to
+  bool restarted_ = false;        // since the last frame
   bool driven_ = false;           // told to move since it was stopped
   double stamp_ = 0.0;            // of the last read
   double asked_stamp_ = 0.0;      // of the last query
@@ -118,7 +122,8 @@ class OiRobot final : public Robot {
   double told_stamp_ = 0.0;       // when a motion was told last
   int left_speed_ = 0;            // as told last [mm/s]
   int right_speed_ = 0;
-  ToldSpeeds wanted_;  // by the last motion
+  ToldSpeeds wanted_;                      // by the last motion
+  std::optional<oi::Command> own_errand_;  // that it drives by itself for
   std::uint64_t lost_replies_ = 0;
   std::uint64_t deafnesses_ = 0;
   std::uint64_t rejected_values_ = 0;
