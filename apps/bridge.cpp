@@ -51,8 +51,7 @@ void bridge_simulated(const BridgeFlags& flags) {
   const Stage stage = set_stage(scenario);
   make_estimation(scenario, stage.robot.model);
   const GroundTruth truth = truth_of(stage, scenario.resolution);
-  const std::filesystem::path folder = run_folder(flags, scenario.world);
-  prepare_results(folder, {});
+  const RunFolder folder = prepare_results(run_folder(flags, scenario.world), {});
   const Interrupt interrupt;
   RosNode node(flags.ros, flags.output.quiet);
   Publishing publishing(flags.record);
@@ -63,7 +62,7 @@ void bridge_simulated(const BridgeFlags& flags) {
   options.steering = &node.steering(stage.robot.model);
   const RunResult run = run_simulated(scenario, stage, truth, options, interrupt.token());
   node.finish();
-  deliver(run, folder, {}, flags.output);
+  deliver(run, folder.path(), {}, flags.output);
   publishing.close();
 }
 
@@ -71,8 +70,7 @@ void bridge_live(const BridgeFlags& flags, const SerialAddress& address) {
   Scenario scenario = make_live_scenario(flags.scenario);
   make_estimation(scenario, find_oi_robot(scenario.model).model);
   hand_over(flags, scenario);
-  const std::filesystem::path folder = run_folder(flags, address.path);
-  prepare_results(folder, {});
+  const RunFolder folder = prepare_results(run_folder(flags, address.path), {});
   Interrupt interrupt(Interrupt::Stake::RobotOnAWire);
   const bool told = flags.scenario.model || flags.scenario.scenario_file;
   LiveRobot live(address, told ? std::optional(scenario.model) : std::nullopt, OiRobot::Session::Drive,
@@ -87,7 +85,7 @@ void bridge_live(const BridgeFlags& flags, const SerialAddress& address) {
   const RunResult run = run_live(scenario, live.robot(), options, interrupt.token());
   interrupt.robot_stands();
   node.finish();
-  deliver(run, folder, {}, flags.output);
+  deliver(run, folder.path(), {}, flags.output);
   publishing.close();
   if (run.report.ended == Ended::RobotGone) throw Error("the robot fell silent", Error::Kind::Failure);
 }

@@ -57,13 +57,15 @@ void check_zstd(const ExploreFlags& flags) {
 
 /// Who is told of the run as it goes.
 struct Audience {
-  explicit Audience(const ExploreFlags& flags) : publishing(bag_recording(flags), flags.zstd) {
-    if (flags.ros.wanted) publishing.tell(node.emplace(flags.ros, flags.output.quiet).sink());
+  explicit Audience(const ExploreFlags& flags)
+      : node(flags.ros.wanted ? std::make_unique<RosNode>(flags.ros, flags.output.quiet) : nullptr),
+        publishing(bag_recording(flags), flags.zstd) {
+    if (node) publishing.tell(node->sink());
   }
   Publishing* wanted() { return publishing.wanted() ? &publishing : nullptr; }
 
-  std::optional<RosNode> node;
-  Publishing publishing;
+  std::unique_ptr<RosNode> node;
+  Publishing publishing;  // the last thing that can fail, for it takes an older bag's place
 };
 
 void expect_robot(const RunResult& run) {
@@ -85,8 +87,7 @@ void explore_simulated(const ExploreFlags& flags) {
                             scenario.model));
   }
   const GroundTruth truth = truth_of(stage, scenario.resolution);
-  const std::filesystem::path folder = run_folder(flags, scenario.world);
-  prepare_results(folder, flags.octomap);
+  const RunFolder folder = prepare_results(run_folder(flags, scenario.world), flags.octomap);
 
   const Interrupt interrupt;
   RunOptions options;
@@ -99,7 +100,7 @@ void explore_simulated(const ExploreFlags& flags) {
   const RunResult run = run_simulated(scenario, stage, truth, options, interrupt.token());
   if (audience.node) audience.node->finish();
   progress.reset();
-  deliver(run, folder, flags.octomap, flags.output);
+  deliver(run, folder.path(), flags.octomap, flags.output);
   audience.publishing.close();
   expect_robot(run);
 }
@@ -110,8 +111,7 @@ void explore_live(const ExploreFlags& flags, const SerialAddress& address) {
   const RobotModel likely = find_oi_robot(scenario.model).model;
   make_strategy(scenario.strategy, strategy_setting(scenario, likely));
   make_estimation(scenario, likely);
-  const std::filesystem::path folder = run_folder(flags, address.path);
-  prepare_results(folder, flags.octomap);
+  const RunFolder folder = prepare_results(run_folder(flags, address.path), flags.octomap);
 
   Interrupt interrupt(Interrupt::Stake::RobotOnAWire);
   const bool told = flags.scenario.model || flags.scenario.scenario_file;
@@ -128,7 +128,7 @@ void explore_live(const ExploreFlags& flags, const SerialAddress& address) {
   interrupt.robot_stands();
   if (audience.node) audience.node->finish();
   progress.reset();
-  deliver(run, folder, flags.octomap, flags.output);
+  deliver(run, folder.path(), flags.octomap, flags.output);
   live.robot().close_recording();
   audience.publishing.close();
   expect_robot(run);
@@ -141,11 +141,10 @@ void explore_recorded(const ExploreFlags& flags, const InRecording& recording) {
   Recording opened = open_recording(recording.file);
   Scenario scenario = opened.scenario;
   apply_flags(flags.scenario, scenario);
-  const std::filesystem::path folder = run_folder(flags, recording.file);
-  prepare_results(folder, flags.octomap);
+  const RunFolder folder = prepare_results(run_folder(flags, recording.file), flags.octomap);
   const Interrupt interrupt;
   const RunResult run = run_recorded(opened, scenario, flags.speed.value_or(0.0), interrupt.token());
-  deliver(run, folder, flags.octomap, flags.output);
+  deliver(run, folder.path(), flags.octomap, flags.output);
 }
 
 void explore(const ExploreFlags& flags) {

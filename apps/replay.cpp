@@ -35,11 +35,10 @@ void replay(const ReplayFlags& flags) {
   Recording recording = open_recording(flags.log);
   Scenario scenario = recording.scenario;
   if (flags.calibration_file) scenario.calibration = calibration_for(scenario.model, *flags.calibration_file);
-  const std::filesystem::path folder = replay_folder(flags);
-  prepare_results(folder, flags.octomap);
+  const RunFolder folder = prepare_results(replay_folder(flags), flags.octomap);
   const Interrupt interrupt;
   const RunResult run = run_recorded(recording, scenario, flags.speed, interrupt.token());
-  deliver(run, folder, flags.octomap, flags.output);
+  deliver(run, folder.path(), flags.octomap, flags.output);
 }
 
 }  // namespace

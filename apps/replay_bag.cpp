@@ -97,11 +97,10 @@ RunResult run_bag(const ReplayFlags& flags, const BagSenses& senses, const Scena
 void replay_bag(const ReplayFlags& flags) {
   const BagSenses senses = find_senses(flags.log);
   const Scenario scenario = scenario_of(flags.log, senses);
-  const std::filesystem::path folder = replay_folder(flags);
-  prepare_results(folder, flags.octomap);
+  const RunFolder folder = prepare_results(replay_folder(flags), flags.octomap);
   const Interrupt interrupt;
   const RunResult run = run_bag(flags, senses, scenario, interrupt.token());
-  deliver(run, folder, flags.octomap, flags.output);
+  deliver(run, folder.path(), flags.octomap, flags.output);
 }
 
 }  // namespace scrubjay::apps

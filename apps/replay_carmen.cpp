@@ -185,14 +185,13 @@ void replay_carmen(const ReplayFlags& flags) {
   const CarmenLog log = read_carmen_log(flags.log);
   const Setup setup = make_setup(flags.carmen, log);
   const std::optional<Judge> judge = find_judge(flags.carmen, log);
-  const std::filesystem::path folder = replay_folder(flags);
-  prepare_results(folder, flags.octomap);
+  const RunFolder folder = prepare_results(replay_folder(flags), flags.octomap);
   const Interrupt interrupt;
   RunResult run = run_log(setup, log, flags.speed, interrupt.token());
   run.reference = compare_with_log(run, setup.poses, log, judge);
-  write_run(folder, run);
+  write_run(folder.path(), run);
   if (flags.octomap.file) write_octomap(*flags.octomap.file, run.map, flags.octomap.height);
-  print_log_summary(run, folder, flags.output);
+  print_log_summary(run, folder.path(), flags.output);
 }
 
 }  // namespace scrubjay::apps

@@ -65,9 +65,10 @@ std::string link_line(const LinkReport& link) {
   return line;
 }
 
-void prepare_results(const std::filesystem::path& folder, const OctomapFlags& octomap) {
-  prepare_run_folder(folder);
+RunFolder prepare_results(const std::filesystem::path& folder, const OctomapFlags& octomap) {
+  RunFolder prepared(folder);
   if (octomap.file) AtomicFiles().add(*octomap.file, "");
+  return prepared;
 }
 
 void deliver(const RunResult& run, const std::filesystem::path& folder, const OctomapFlags& octomap,

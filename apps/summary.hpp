@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <scrubjay/io/run_files.hpp>
+#include <scrubjay/io/run_folder.hpp>
 #include <scrubjay/io/serial_robot.hpp>
 #include <string>
 
@@ -11,8 +12,9 @@
 
 namespace scrubjay::apps {
 
-/// Throws Error (Kind::Failure) unless the results of a run can be written: asked before it, so that none is in vain.
-void prepare_results(const std::filesystem::path& folder, const OctomapFlags& octomap);
+/// The folder of a run's results. Throws Error (Kind::Failure) unless they can be written: asked before it, so that
+/// none is in vain.
+[[nodiscard]] RunFolder prepare_results(const std::filesystem::path& folder, const OctomapFlags& octomap);
 
 /// Writes the results of a run into `folder`, and prints a summary for people or metrics.json for programs: that even
 /// if writing fails, before it throws.

@@ -9,6 +9,7 @@
 #include <scrubjay/io/map_file.hpp>
 #include <scrubjay/io/map_picture.hpp>
 #include <scrubjay/io/run_files.hpp>
+#include <scrubjay/io/run_folder.hpp>
 #include <scrubjay/io/scenario_file.hpp>
 #include <scrubjay/io/trajectory_file.hpp>
 
@@ -141,7 +142,7 @@ std::string metrics_json(const RunResult& run) {
 }
 
 void write_run(const std::filesystem::path& folder, const RunResult& run) {
-  prepare_run_folder(folder);
+  const RunFolder prepared(folder);
   AtomicFiles files;
   add_map(files, folder / "map", run.map.view());
   const std::vector<std::uint8_t> png = encode_png(picture_of(run));
@@ -158,18 +159,6 @@ void write_run(const std::filesystem::path& folder, const RunResult& run) {
   files.add(folder / "timing.json", timing_json(run));
   files.add(folder / "metrics.json", metrics_json(run));
   files.commit();
-}
-
-void prepare_run_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw Error(fmt::format("{}: can't make this folder: {}", folder.string(), error.message()), Error::Kind::Failure);
-  }
-  if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw Error(fmt::format("{}: can't write to this folder; want one of yours", folder.string()),
-                Error::Kind::Failure);
-  }
 }
 
 std::vector<Segment2> walls_in_map(const World& world, const Pose2& start) {

@@ -141,18 +141,17 @@ TEST_F(McapRunTest, IsSmallerAndHoldsTheSameIfPacked) {
 
 class WrongBagTest : public BagRunTest {
  protected:
-  /// The call fails with `code` and one line that holds `what`; nothing is left but, maybe, a folder for its results.
+  /// The call fails with `code` and one line that holds `what`, and leaves nothing.
   void expect_refusal(const Words& words, int code, const std::string& what) const {
     SCOPED_TRACE(testing::PrintToString(words));
     const Contents before = contents_of(folder_.path());
     Words call = words;
-    call.insert(call.end(), {"--out", "refused"});
+    call.insert(call.end(), {"--out", "refused/run"});
     const Outcome outcome = scrubjay_in(folder_.path(), call);
     EXPECT_EQ(outcome.code, code);
     EXPECT_EQ(outcome.out, "");
     EXPECT_TRUE(is_one_line(outcome.err)) << outcome.err;
     EXPECT_THAT(outcome.err, AllOf(testing::StartsWith("scrubjay: "), HasSubstr(what)));
-    std::filesystem::remove(folder_ / "refused");  // if it is empty
     EXPECT_TRUE(contents_of(folder_.path()) == before) << "something was written or changed";
   }
 
@@ -168,6 +167,14 @@ TEST_F(WrongBagTest, IsNotRecorded) {
   // The disc's fault, not the words': as with any other file that can't be written.
   expect_refusal({"explore", world_, "--record", "missing/run.mcap"}, 1, "missing/run.mcap: cannot write");
   expect_refusal({"explore", world_, "--record", "other/thing/run.mcap"}, 1, "other/thing/run.mcap: cannot write");
+}
+
+TEST_F(WrongBagTest, TakesNoOlderOnesPlaceIfTheRunCannotBegin) {
+  for (const char* bag : {"run.mcap", "run"}) {
+    explored({"", "roomba-600", "none", ""}, "live", {"--record", bag});
+    expect_refusal({"explore", world_, "--record", bag, "--ros2", "--ros-distro", "noetic"}, 2, "--ros-distro");
+    expect_refusal({"explore", "--robot", "serial:missing", "--record", bag}, 2, "missing");
+  }
 }
 
 TEST_F(WrongBagTest, IsNotPackedUnlessItIsAnMcapFile) {

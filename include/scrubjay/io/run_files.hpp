@@ -62,10 +62,6 @@ std::string metrics_json(const RunResult& run);
 /// (Kind::Failure).
 void write_run(const std::filesystem::path& folder, const RunResult& run);
 
-/// Throws Error (Kind::Failure) unless `folder` is there, or can be made, and can be written to: asked before a run, so
-/// that none is in vain.
-void prepare_run_folder(const std::filesystem::path& folder);
-
 /// The walls of a world, seen from `start`.
 std::vector<Segment2> walls_in_map(const World& world, const Pose2& start);
 
