@@ -26,7 +26,7 @@ RunFolder::RunFolder(fs::path folder, std::vector<fs::path> missing)
     : path_(std::move(folder)), made_(std::move(missing)) {}
 
 // By another constructor, so that what was made goes, too, where it throws.
-RunFolder::RunFolder(fs::path folder) : RunFolder(folder, missing_of(folder)) {
+RunFolder::RunFolder(const fs::path& folder) : RunFolder(folder, missing_of(folder)) {
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) {

@@ -12,7 +12,7 @@ namespace scrubjay {
 class RunFolder {
  public:
   /// Throws Error (Kind::Failure) if it can't be made, or isn't to be written to.
-  explicit RunFolder(std::filesystem::path folder);
+  explicit RunFolder(const std::filesystem::path& folder);
   RunFolder(RunFolder&&) = default;
   RunFolder& operator=(RunFolder&&) = delete;
   ~RunFolder();
