@@ -56,14 +56,16 @@ class SignalledLiveRobotTest : public LiveRobotTest, public testing::WithParamIn
 TEST_P(SignalledLiveRobotTest, IsStoppedBeforeTheProgramEnds) {
   Call call({"explore", "--robot", serial(), "--out", path("out")});
   EXPECT_TRUE(soon([&] { return robot_.rolled() > 0.05; }));
-  for (const int signal : GetParam()) {
-    call.send(signal);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const bool asked_twice = GetParam().size() > 1;
+  call.send(GetParam().front());
+  // Again and again: one that comes while another of its kind is pending is none.
+  for (int i = 0; asked_twice && i < 50; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    call.send(GetParam().back());
   }
   const Outcome outcome = call.wait();
   EXPECT_TRUE(robot_.stands());
   EXPECT_EQ(robot_.mode(), oi::OiMode::Passive);
-  const bool asked_twice = GetParam().size() > 1;
   EXPECT_EQ(outcome.signal, asked_twice ? GetParam().back() : 0);
   EXPECT_EQ(std::filesystem::exists(folder_ / "out/map.pgm"), !asked_twice);
 }
