@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <scrubjay/oi/packet.hpp>
 #include <string_view>
 
+#include "report_rows.hpp"
 #include "sensor_table.hpp"
 
 namespace scrubjay::apps {
 namespace {
-
-constexpr std::size_t kColumns = 79;
-constexpr std::size_t kIndent = 14;
 
 constexpr std::array<std::string_view, kHandSteps> kStepNames{"bumper_left", "bumper_right", "wheels_hang",
                                                               "wheel_left", "wheel_right"};
@@ -23,32 +20,6 @@ std::string_view model_name(oi::Model model) {
   constexpr std::array<std::string_view, oi::kModelCount> kNames{"Roomba 500 or newer, or Create 2", "Create (2006)",
                                                                  "Roomba 400 or older"};
   return kNames[static_cast<std::size_t>(model)];
-}
-
-/// Words that begin after `begin` on the first line, and under it on the others.
-std::string wrapped(const std::string& begin, const std::string& text) {
-  std::string out = begin;
-  std::size_t column = begin.size();
-  bool line_begins = true;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::size_t size = end - at;
-    if (!line_begins && column + 1 + size > kColumns) {
-      out += '\n' + std::string(begin.size(), ' ');
-      column = begin.size();
-      line_begins = true;
-    }
-    if (!line_begins) out += ' ';
-    column += size + (line_begins ? 0 : 1);
-    out.append(text, at, size);
-    line_begins = false;
-    at = end + 1;
-  }
-  return out + '\n';
-}
-
-std::string row(std::string_view name, const std::string& text) {
-  return wrapped(fmt::format("{:<{}}", name, kIndent), text);
 }
 
 std::string release_text(const oi::Release& release) {
@@ -135,14 +106,7 @@ std::string report_text(const PortReport& port, const DoctorReport& report, cons
     }
     text += hands_row(hands);
   }
-  text += '\n';
-  for (const Finding& finding : findings) {
-    const bool problem = finding.kind == Finding::Kind::Problem;
-    text += wrapped(problem ? "problem: " : "note: ", finding.what);
-    if (!finding.advice.empty()) text += wrapped("   try: ", finding.advice);
-  }
-  if (healthy(findings)) text += "healthy\n";
-  return text;
+  return text + '\n' + findings_text(findings);
 }
 
 std::string report_json(const PortReport& port, const DoctorReport& report, const HandCheck* hands,
@@ -170,12 +134,7 @@ std::string report_json(const PortReport& port, const DoctorReport& report, cons
                        {"p95_s", report.replies.p95}};
   }
   if (hands != nullptr) json["by_hand"] = hands_json(*hands);
-  json["findings"] = nlohmann::json::array();
-  for (const Finding& finding : findings) {
-    json["findings"].push_back({{"kind", finding.kind == Finding::Kind::Problem ? "problem" : "remark"},
-                                {"what", finding.what},
-                                {"advice", finding.advice}});
-  }
+  json["findings"] = findings_json(findings);
   return json.dump(2) + '\n';
 }
 

@@ -201,14 +201,8 @@ std::vector<Finding> diagnose(const DoctorReport& report, const HandCheck* hands
     judge_hands(hands, findings);
   }
   add_remarks(report, findings);
-  std::stable_sort(findings.begin(), findings.end(),
-                   [](const Finding& a, const Finding& b) { return a.kind > b.kind; });
+  worst_first(findings);
   return findings;
-}
-
-bool healthy(const std::vector<Finding>& findings) {
-  return std::none_of(findings.begin(), findings.end(),
-                      [](const Finding& finding) { return finding.kind == Finding::Kind::Problem; });
 }
 
 }  // namespace scrubjay

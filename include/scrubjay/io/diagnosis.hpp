@@ -2,22 +2,12 @@
 /// What the figures of an examination mean: what isn't healthy, and what to try.
 #pragma once
 
+#include <scrubjay/finding.hpp>
 #include <scrubjay/io/examination.hpp>
 #include <scrubjay/io/hand_check.hpp>
-#include <string>
 #include <vector>
 
 namespace scrubjay {
-
-struct Finding {
-  enum class Kind : std::uint8_t {
-    Remark,   ///< good to know; healthy all the same
-    Problem,  ///< not healthy
-  };
-  Kind kind = Kind::Problem;
-  std::string what;    ///< one sentence, without a full stop
-  std::string advice;  ///< what to try; of a remark it may be empty
-};
 
 /// Where healthy ends. Own choices, where no source is named.
 struct HealthLimits {
@@ -35,8 +25,5 @@ struct HealthLimits {
 /// All that isn't as it should be, the worst first. `hands`: what the user's hands found out, if they were asked.
 std::vector<Finding> diagnose(const DoctorReport& report, const HandCheck* hands = nullptr,
                               const HealthLimits& limits = {});
-
-/// Whether there is no problem among them.
-bool healthy(const std::vector<Finding>& findings);
 
 }  // namespace scrubjay
