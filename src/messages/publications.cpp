@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <scrubjay/messages/diagnostics.hpp>
 #include <scrubjay/messages/publications.hpp>
 
 namespace scrubjay::ros {
@@ -10,19 +11,13 @@ namespace {
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kPathStep = 0.05;      // between two poses of the path [m]
 constexpr double kFrontierSize = 0.05;  // of a point [m]
+constexpr double kSilence = 1.0;        // of a robot that sends 66 frames a second, worth a line [s]
 
-std::string name_of(oi::OiMode mode) {
-  switch (mode) {
-    case oi::OiMode::Off:
-      return "off";
-    case oi::OiMode::Passive:
-      return "passive";
-    case oi::OiMode::Safe:
-      return "safe";
-    case oi::OiMode::Full:
-      return "full";
-  }
-  return "unknown";
+/// As rcl names the logger of a node (rcl/logging_rosout.c): `/robot1/scrubjay` is `robot1.scrubjay`.
+std::string logger_name(std::string node) {
+  node.erase(0, 1);
+  std::ranges::replace(node, '/', '.');
+  return node;
 }
 
 bool is_battery_changed(const Battery& a, const Battery& b) {
@@ -94,6 +89,8 @@ void Publications::notify(const Snapshot& now) {
   publish_map(now);
   if (rooms_pending_ && is_due(rooms_stamp_, params_.rooms_interval)) publish_rooms(now.map);
   publish_ways(now);
+  log_changes(now);
+  publish_log();
   last_frame_ = now.frame;
   last_frame_->scan.reset();  // whose ranges are the robot's
 }
@@ -193,19 +190,13 @@ void Publications::publish_battery(const Battery& battery) {
 }
 
 void Publications::publish_diagnostics(const Snapshot& now) {
-  DiagnosticStatus robot;
-  robot.name = "scrubjay: robot";
-  robot.hardware_id = robot_.open_interface ? "open interface" : "lidar robot";
-  robot.message = now.decision.doing;
-  if (robot_.open_interface) {
-    const Frame& frame = now.frame;
-    robot.values = {{"mode", name_of(frame.mode)}, {"charging", frame.battery.charging ? "yes" : "no"}};
-    if (frame.wheel_dropped()) {
-      robot.level = std::byte{1};
-      robot.message = "a wheel has dropped";
-    }
+  std::vector<DiagnosticStatus> all{robot_status(robot_, now.frame, now.decision.doing)};
+  if (robot_.open_interface) all.push_back(battery_status(now.frame.battery));
+  for (MessageSink* sink : sinks_) {
+    if (std::optional<DiagnosticStatus> status = sink->status()) all.push_back(std::move(*status));
   }
-  publish(kDiagnosticsTopic, DiagnosticArray{header(""), {robot}});
+  for (DiagnosticStatus& status : all) status.name = params_.node.substr(1) + ": " + status.name;
+  publish(kDiagnosticsTopic, DiagnosticArray{header(""), std::move(all)});
 }
 
 void Publications::publish_map(const Snapshot& now) {
@@ -265,10 +256,27 @@ void Publications::finish(GridView<const LogOdds> map) {
   publish_whole_map(map);
   publish_rooms(map);
   publish(kPathTopic, path_message(header(params_.frames.map), path_));
+  publish_log();
 }
 
 void Publications::log(std::uint8_t level, const std::string& text) {
-  publish(kRosoutTopic, Log{time_from_nanoseconds(now_), level, "scrubjay", text, "", "", 0});
+  lines().add(level, text);
+}
+
+void Publications::log_changes(const Snapshot& now) {
+  if (robot_.open_interface && last_frame_ && stamp_ - last_frame_->stamp > kSilence) {
+    log(Log::kWarn, "the robot was silent for " + std::to_string(std::lround(stamp_ - last_frame_->stamp)) + " s");
+  }
+  if (now.decision.doing == doing_) return;
+  doing_ = now.decision.doing;
+  if (!doing_.empty()) log(Log::kInfo, doing_);
+}
+
+void Publications::publish_log() {
+  for (LogLine& line : lines().take()) {
+    publish(kRosoutTopic,
+            Log{time_from_nanoseconds(now_), line.level, logger_name(params_.node), std::move(line.text), "", "", 0});
+  }
 }
 
 }  // namespace scrubjay::ros

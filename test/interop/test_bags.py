@@ -12,7 +12,7 @@ from ruamel.yaml import YAML
 
 from recorded_run import Pgm, RecordedRun, info, scrubjay
 
-LATCHED = {"/map", "/rooms", "/tf_static", "/robot_description", "/scenario"}
+LATCHED = {"/map", "/rooms", "/tf_static", "/robot_description", "/scenario", "/rosout"}
 ROUNDED = 2e-6  # trajectory.tum has six digits behind the point for metres
 
 

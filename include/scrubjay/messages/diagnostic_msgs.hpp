@@ -21,6 +21,10 @@ struct KeyValue {
 struct DiagnosticStatus {
   static constexpr std::string_view kType = "diagnostic_msgs/msg/DiagnosticStatus";
   static constexpr std::string_view kHash = "RIHS01_b0e3e692ea2d54a8af2f4ef1930e81556a2db55216b771f8a7d2724ed47bf0e4";
+  static constexpr std::byte kOk{0};
+  static constexpr std::byte kWarn{1};
+  static constexpr std::byte kError{2};
+
   std::byte level{};
   std::string name;
   std::string message;
@@ -54,6 +58,10 @@ struct DiagnosticArray {
 struct Log {
   static constexpr std::string_view kType = "rcl_interfaces/msg/Log";
   static constexpr std::string_view kHash = "RIHS01_e28ce254ca8abc06abf92773b74602cdbf116ed34fbaf294fb9f81da9f318eac";
+  static constexpr std::uint8_t kInfo = 20;
+  static constexpr std::uint8_t kWarn = 30;
+  static constexpr std::uint8_t kError = 40;
+
   Time stamp;
   std::uint8_t level = 0;
   std::string name;

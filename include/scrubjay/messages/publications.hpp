@@ -6,6 +6,7 @@
 #include <scrubjay/geometry/stamped_pose.hpp>
 #include <scrubjay/localization/localizer.hpp>
 #include <scrubjay/messages/conversions.hpp>
+#include <scrubjay/messages/log_queue.hpp>
 #include <scrubjay/messages/message_sink.hpp>
 #include <scrubjay/messages/room_markers.hpp>
 #include <scrubjay/mission/observer.hpp>
@@ -28,6 +29,7 @@ struct WheelLink {
 };
 
 struct PublicationParams {
+  std::string node = "/scrubjay";  ///< full name of the node that speaks
   FrameNames frames{};
   std::string description{};        ///< URDF of the robot; empty: none is published
   std::string scenario{};           ///< YAML: all that is needed to repeat the run; empty: none is published
@@ -41,11 +43,12 @@ struct PublicationParams {
   double rooms_interval = 10.0;         ///< between two maps that are split into rooms, at least [s]
   double path_interval = 10.0;          ///< of the path, which is told whole and grows [s]
   double slow_interval = 1.0;           ///< of battery, mode and diagnostics, unless they changed [s]
+  LogQueue* log = nullptr;              ///< whose lines go to /rosout, too; must outlive it
 };
 
 /// Publishes, at every frame, odometry, transforms and what the robot senses; a map whole when it grew and every few
 /// seconds, and what changed of it in between; the rooms of a whole map, where they aren't those of the last; what is
-/// slow, once a second or when it changes.
+/// slow, once a second or when it changes. What the robot does, and what is told by log(), goes to /rosout.
 ///
 /// `odom` is dead reckoning, which never jumps; what the localizer knows better is between `map` and `odom` (REP-105).
 class Publications final : public Observer {
@@ -56,7 +59,7 @@ class Publications final : public Observer {
   void notify(const Snapshot& now) override;
   /// The map as the mission left it, and where it went: what came after the last notify() of it, too.
   void finish(GridView<const LogOdds> map);
-  /// A line for /rosout. Levels: Log's.
+  /// A line for /rosout, from any thread; the next notify() or finish() publishes it. Levels: Log's.
   void log(std::uint8_t level, const std::string& text);
 
  private:
@@ -76,6 +79,9 @@ class Publications final : public Observer {
   void publish_whole_map(GridView<const LogOdds> map);
   void publish_rooms(GridView<const LogOdds> map);
   void publish_ways(const Snapshot& now);
+  LogQueue& lines() { return params_.log != nullptr ? *params_.log : log_; }
+  void log_changes(const Snapshot& now);
+  void publish_log();
   bool is_due(double& last, double interval) const;
 
   RobotModel robot_;
@@ -105,6 +111,8 @@ class Publications final : public Observer {
   RoomMap rooms_;
   std::vector<Point2> plan_;
   std::vector<Pose2> path_;
+  std::string doing_;
+  LogQueue log_;  // unless there is another one
 };
 
 }  // namespace scrubjay::ros
