@@ -13,9 +13,6 @@
 
 namespace scrubjay::ros {
 
-/// The topic's name in DDS; it is none below `rt/`.
-inline constexpr const char* kDiscoveryInfoTopic = "ros_discovery_info";
-
 /// Sixteen bytes since Iron, twenty-four before; a message with others would confuse or stop a peer.
 std::size_t gid_size(Distribution distribution);
 

@@ -12,10 +12,10 @@
 #include <cstring>
 #include <mutex>
 #include <scrubjay/error.hpp>
+#include <scrubjay/ros2/socket_buffers.hpp>
 
 #include "fast_dds_shield.hpp"
 #include "security_properties.hpp"
-#include "socket_buffers.hpp"
 #include "user_data.hpp"
 
 namespace scrubjay::ros {

@@ -2,10 +2,10 @@
 
 #include <scrubjay/error.hpp>
 #include <scrubjay/ros2/participant.hpp>
+#include <scrubjay/ros2/socket_buffers.hpp>
 
 #include "fast_dds.hpp"
 #include "outbox.hpp"
-#include "socket_buffers.hpp"
 #include "wire.hpp"
 
 namespace scrubjay::ros {
@@ -112,7 +112,9 @@ ParticipantOptions participant_options(const Environment& environment, const Ros
 }
 
 Participant::Participant(ParticipantOptions options) : state_(std::make_unique<State>(std::move(options))) {
-  state_->ears.sink.tell(buffer_remark());
+  if (const std::optional<Finding> clamped = clamped_buffers()) {
+    state_->ears.sink.tell(clamped->what + "; " + clamped->advice);
+  }
   state_->wires.push_back(std::make_unique<Wire>(state_->options, state_->options.names.name(), state_->ears));
 }
 
@@ -167,13 +169,13 @@ bool Participant::flush(double seconds) {
   return acknowledged;
 }
 
-void Participant::tell_unheard() {
+std::vector<std::string> Participant::unheard() const {
   const std::scoped_lock lock(state_->mutex);
-  std::string topics;
+  std::vector<std::string> topics;
   for (const auto& ours : state_->writers) {
-    if (ours->writer.readers() == 0) topics += (topics.empty() ? "" : ", ") + ours->writer.topic();
+    if (ours->writer.readers() == 0) topics.push_back(ours->writer.topic());
   }
-  if (!topics.empty()) state_->ears.sink.tell("nobody listens to " + topics);
+  return topics;
 }
 
 std::vector<Peer> Participant::peers() const {

@@ -1,8 +1,7 @@
-#include "socket_buffers.hpp"
-
 #include <fmt/format.h>
 
 #include <fstream>
+#include <scrubjay/ros2/socket_buffers.hpp>
 
 namespace scrubjay::ros {
 namespace {
@@ -17,15 +16,14 @@ std::string limit(const std::filesystem::path& net_core, const char* name) {
 
 }  // namespace
 
-std::string buffer_remark(const std::filesystem::path& net_core) {
+std::optional<Finding> clamped_buffers(const std::filesystem::path& net_core) {
   const std::string receiving = limit(net_core, "rmem_max");
   const std::string sending = limit(net_core, "wmem_max");
-  if (receiving.empty() && sending.empty()) return {};
-  return fmt::format(
-      "the system's {}{}{} leave sockets less than the {} bytes that large maps want; sudo sysctl -w "
-      "net.core.rmem_max={} net.core.wmem_max={}",
-      receiving, receiving.empty() || sending.empty() ? "" : ", ", sending, kSocketBuffer, kSocketBuffer,
-      kSocketBuffer);
+  if (receiving.empty() && sending.empty()) return std::nullopt;
+  return Finding{Finding::Kind::Remark,
+                 fmt::format("the system's {}{}{} leave sockets less than the {} bytes that large maps want", receiving,
+                             receiving.empty() || sending.empty() ? "" : ", ", sending, kSocketBuffer),
+                 fmt::format("sudo sysctl -w net.core.rmem_max={0} net.core.wmem_max={0}", kSocketBuffer)};
 }
 
 }  // namespace scrubjay::ros

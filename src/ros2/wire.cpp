@@ -72,7 +72,7 @@ Wire::Wire(const ParticipantOptions& options, const std::string& node, Ears& ear
   guid_ = guid_of(*participant_);
   publisher_ = participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
   subscriber_ = participant_->create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT);
-  if (options.discovery_info) begin_discovery_info(options.distribution);
+  if (options.presence != Presence::Unseen) begin_discovery_info(options);
 }
 
 Wire::~Wire() = default;
@@ -124,21 +124,27 @@ dds::DataReader* Wire::read(const std::string& topic, const MessageType& type, c
   return reader;
 }
 
-void Wire::begin_discovery_info(Distribution distribution) {
+void Wire::begin_discovery_info(const ParticipantOptions& options) {
   constexpr std::string_view kType = ParticipantEntitiesInfo::kType;
   dds::Topic* topic = topic_for(kDiscoveryInfoTopic, dds_type_name(kType));
   // Humble tells no hashes, and its type has another one.
-  const std::string_view hash = distribution == Distribution::Humble ? "" : ParticipantEntitiesInfo::kHash;
+  const std::string_view hash =
+      options.distribution == Distribution::Humble ? std::string_view() : ParticipantEntitiesInfo::kHash;
   FirstError error;
-  info_writer_ = publisher_->create_datawriter(
-      topic, writer_qos(publisher_->get_default_datawriter_qos(), kLatched, hash), nullptr);
+  if (options.presence == Presence::Node) {
+    info_writer_ = publisher_->create_datawriter(
+        topic, writer_qos(publisher_->get_default_datawriter_qos(), kLatched, hash), nullptr);
+    if (info_writer_ == nullptr) {
+      throw Error("Fast DDS can't write ros_discovery_info: " + error.text(), Error::Kind::Failure);
+    }
+  }
   const Qos all{Reliability::Reliable, Durability::TransientLocal, kMostWaitingInfos};
   requests_.push_back(std::make_unique<Request>(ears_.sink, kDiscoveryInfoTopic, all,
                                                 [this](auto bytes) { hear_discovery_info(bytes); }));
-  dds::DataReader* reader = subscriber_->create_datareader(
+  const dds::DataReader* reader = subscriber_->create_datareader(
       topic, reader_qos(subscriber_->get_default_datareader_qos(), all, hash), requests_.back().get());
-  if (info_writer_ == nullptr || reader == nullptr) {
-    throw Error("Fast DDS can't make ros_discovery_info: " + error.text(), Error::Kind::Failure);
+  if (reader == nullptr) {
+    throw Error("Fast DDS can't read ros_discovery_info: " + error.text(), Error::Kind::Failure);
   }
   tell_discovery_info();
 }

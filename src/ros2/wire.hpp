@@ -20,7 +20,7 @@ namespace scrubjay::ros {
 struct Ears {
   Graph graph{};
   Sink sink;
-  LogEar log{[this](const std::string& message) { sink.tell("Fast DDS: " + message); }};
+  LogEar log{[this](const std::string& message) { sink.tell(std::string(kFromFastDds) + message); }};
   std::atomic<std::uint64_t> strange_infos{0};
 };
 
@@ -45,7 +45,7 @@ class Wire {
   class Offer;
   class Request;
 
-  void begin_discovery_info(Distribution distribution);
+  void begin_discovery_info(const ParticipantOptions& options);
   void tell_discovery_info();
   void hear_discovery_info(std::span<const std::byte> bytes);
   dds::Topic* topic_for(const std::string& dds_name, const std::string& dds_type);

@@ -67,7 +67,7 @@ TEST_F(CitizenTest, QualitiesThatDoNotFitAreToldAtBothEnds) {
           "/map: we don't hear a writer, as it offers another durability; we ask for reliable, transient_local"));
 }
 
-TEST_F(CitizenTest, TopicsThatNobodyListensToAreToldOnRequest) {
+TEST_F(CitizenTest, TopicsThatNobodyListensToAreKnown) {
   Participant robot(options(NodeNames("jay", "/robot1")));
   Participant listener(options());
   Writer& heard = robot.write("odom", kTypeOf<String>);
@@ -75,8 +75,7 @@ TEST_F(CitizenTest, TopicsThatNobodyListensToAreToldOnRequest) {
   robot.write("/tf", kTypeOf<String>);
   listener.read("/robot1/odom", kTypeOf<String>, {}, [](auto) {});
   ASSERT_TRUE(eventually([&] { return heard.readers() == 1; }));
-  robot.tell_unheard();
-  EXPECT_THAT(told_.all(), ElementsAre("nobody listens to /robot1/map, /tf"));
+  EXPECT_THAT(robot.unheard(), ElementsAre("/robot1/map", "/tf"));
 }
 
 TEST_F(CitizenTest, PeersAreSeenWithAllThatTheyTell) {
@@ -150,13 +149,26 @@ TEST_F(CitizenTest, ParticipantsOfHumbleUnderstandOneAnother) {
 
 TEST_F(CitizenTest, ANodeNeedNotTellOfItself) {
   ParticipantOptions quiet = options();
-  quiet.discovery_info = false;
+  quiet.presence = Presence::Unseen;
   Participant robot(quiet);
   Participant listener(options());
   Writer& writer = robot.write("chatter", kTypeOf<String>);
   Reader& reader = listener.read("chatter", kTypeOf<String>, {}, [](auto) {});
   ASSERT_TRUE(eventually([&] { return writer.readers() == 1 && reader.writers() == 1; }));
   EXPECT_THAT(listener.peers()[0].endpoints, SizeIs(1));
+}
+
+TEST_F(CitizenTest, AnOnlookerHearsOfNodesAndTellsOfNone) {
+  ParticipantOptions hidden = options();
+  hidden.presence = Presence::Onlooker;
+  Participant robot(options(NodeNames("jay")));
+  Participant onlooker(hidden);
+  ASSERT_TRUE(eventually([&] { return onlooker.peers().size() == 1 && !onlooker.peers()[0].nodes.empty(); }));
+  EXPECT_THAT(onlooker.peers()[0].nodes, ElementsAre("/jay"));
+  // It has one endpoint, which reads ros_discovery_info.
+  ASSERT_TRUE(eventually([&] { return robot.peers().size() == 1 && robot.peers()[0].endpoints.size() == 1; }));
+  EXPECT_FALSE(robot.peers()[0].endpoints[0].writes);
+  EXPECT_THAT(robot.peers()[0].nodes, IsEmpty());
 }
 
 TEST_F(CitizenTest, ThoseOfOtherDomainsAreNotHeard) {

@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
 
 #include <scrubjay/ros2/peers.hpp>
+#include <scrubjay/ros2/socket_buffers.hpp>
 
 #include "io/temporary_folder.hpp"
 #include "ros2/graph.hpp"
 #include "ros2/sink.hpp"
-#include "ros2/socket_buffers.hpp"
 #include "ros2/user_data.hpp"
 #include "ros2/vendor.hpp"
 
@@ -166,17 +166,20 @@ TEST(SocketBuffersTest, LimitsThatAreTooLowAreSaidWithTheWayOut) {
   TemporaryFolder system;
   system.write("rmem_max", "4194304\n");
   system.write("wmem_max", "8388608\n");
-  EXPECT_EQ(buffer_remark(system.path()), "");
+  EXPECT_EQ(clamped_buffers(system.path()), std::nullopt);
   system.write("rmem_max", "212992\n");
-  EXPECT_THAT(buffer_remark(system.path()),
-              AllOf(HasSubstr("net.core.rmem_max=212992 "), HasSubstr("sudo sysctl -w net.core.rmem_max=4194304"),
-                    Not(HasSubstr("wmem_max=8388608"))));
+  const std::optional<Finding> clamped = clamped_buffers(system.path());
+  ASSERT_TRUE(clamped);
+  EXPECT_EQ(clamped->kind, Finding::Kind::Remark);
+  EXPECT_THAT(clamped->what, AllOf(HasSubstr("net.core.rmem_max=212992 "), Not(HasSubstr("wmem_max"))));
+  EXPECT_EQ(clamped->advice, "sudo sysctl -w net.core.rmem_max=4194304 net.core.wmem_max=4194304");
   system.write("wmem_max", "1000\n");
-  EXPECT_THAT(buffer_remark(system.path()), HasSubstr("net.core.rmem_max=212992, net.core.wmem_max=1000 "));
+  EXPECT_THAT(clamped_buffers(system.path()).value().what,
+              HasSubstr("net.core.rmem_max=212992, net.core.wmem_max=1000 "));
 }
 
 TEST(SocketBuffersTest, ASystemThatDoesNotSayIsNotJudged) {
-  EXPECT_EQ(buffer_remark("/no/such/folder"), "");
+  EXPECT_EQ(clamped_buffers("/no/such/folder"), std::nullopt);
 }
 
 }  // namespace

@@ -20,6 +20,16 @@
 
 namespace scrubjay::ros {
 
+/// What a participant does with `ros_discovery_info`, the topic by which nodes say which endpoints are theirs.
+enum class Presence : std::uint8_t {
+  Unseen,    ///< nothing
+  Onlooker,  ///< hears whose everything is, and is no node itself: `ros2 node list` shows nothing of it
+  Node,      ///< tells what is its own, too
+};
+
+/// What Fast DDS itself calls an error is told with these words before it.
+inline constexpr std::string_view kFromFastDds = "Fast DDS: ";
+
 struct ParticipantOptions {
   int domain = 0;
   Distribution distribution = Distribution::Jazzy;
@@ -27,8 +37,8 @@ struct ParticipantOptions {
   NodeNames names{};
   std::string enclave = "/";
   std::optional<SecurityFiles> security{};
-  bool shared_memory = false;          ///< besides UDP: for peers of the same user, container and Fast DDS alone
-  bool discovery_info = true;          ///< tell what is our node's, by `ros_discovery_info`
+  bool shared_memory = false;  ///< besides UDP: for peers of the same user, container and Fast DDS alone
+  Presence presence = Presence::Node;
   std::size_t most_read = 256 * 1024;  ///< a longer message isn't taken [bytes]
   /// Is given what goes wrong, a line each and each line once, from any thread but never two at a time. Mustn't call
   /// the participant.
@@ -110,8 +120,8 @@ class Participant {
   /// `seconds`.
   bool flush(double seconds);
 
-  /// Tells of the topics that nobody listens to, in one line, if there are any.
-  void tell_unheard();
+  /// Full names of the topics that we write and nobody listens to.
+  std::vector<std::string> unheard() const;
   /// Everybody else, the longest known first.
   std::vector<Peer> peers() const;
   /// Our own readers and writers, in the order in which they were made.

@@ -9,6 +9,9 @@
 
 namespace scrubjay::ros {
 
+/// The topic by which nodes say what is theirs, as DDS calls it: it is no topic of ROS, below `rt/`.
+inline constexpr const char* kDiscoveryInfoTopic = "ros_discovery_info";
+
 /// A reader or a writer.
 struct Endpoint {
   bool writes = false;

@@ -4,15 +4,16 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
+#include <optional>
+#include <scrubjay/finding.hpp>
 
 namespace scrubjay::ros {
 
 /// Asked for, so that a map of 4 MB goes through without a loss [bytes].
 inline constexpr std::uint32_t kSocketBuffer = 4 * 1024 * 1024;
 
-/// What the system's limits make of kSocketBuffer, and how they are raised; empty if nothing. `net_core`: the folder
-/// with `rmem_max` and `wmem_max`.
-std::string buffer_remark(const std::filesystem::path& net_core = "/proc/sys/net/core");
+/// That the system's limits leave less than kSocketBuffer, and how they are raised; none if they don't. `net_core`: the
+/// folder with `rmem_max` and `wmem_max`.
+std::optional<Finding> clamped_buffers(const std::filesystem::path& net_core = "/proc/sys/net/core");
 
 }  // namespace scrubjay::ros
