@@ -55,7 +55,7 @@ void bridge_simulated(const BridgeFlags& flags) {
   const Interrupt interrupt;
   RosNode node(flags.ros, flags.output.quiet);
   Publishing publishing(flags.record);
-  publishing.tell(node.sink());
+  publishing.tell(node);
   RunOptions options;
   options.speed = 1.0;
   options.publishing = &publishing;
@@ -78,7 +78,7 @@ void bridge_live(const BridgeFlags& flags, const SerialAddress& address) {
   live.enter(scenario, flags.scenario.calibration_file);
   RosNode node(flags.ros, flags.output.quiet);
   Publishing publishing(flags.record);
-  publishing.tell(node.sink());
+  publishing.tell(node);
   LiveOptions options;
   options.publishing = &publishing;
   options.steering = &node.steering(live.robot().model());

@@ -14,6 +14,7 @@
 #include <scrubjay/simulation/simulated_roomba.hpp>
 #include <scrubjay/simulation/simulated_turtlebot.hpp>
 
+#include "audience.hpp"
 #include "commands.hpp"
 #include "data_folder.hpp"
 #include "drive_view.hpp"
@@ -24,6 +25,7 @@
 #include "robot_address.hpp"
 #include "run_options.hpp"
 #include "simulated_run.hpp"
+#include "watched_drive.hpp"
 
 namespace scrubjay::apps {
 namespace {
@@ -35,6 +37,7 @@ struct DriveFlags {
   std::optional<std::string> start;
   std::optional<std::string> calibration_file;
   KeyDriveParams keys;
+  RosFlags ros;
 };
 
 /// A robot to drive, and its model.
@@ -116,9 +119,14 @@ void expect_limits(const KeyDriveParams& keys, const RobotModel& model) {
   }
 }
 
+Ended ended(DriveEnd end) {
+  return end == DriveEnd::RobotGone ? Ended::RobotGone : Ended::Stopped;
+}
+
 /// Drives `robot`, which is the driven one as its calibration has it, until it is over; throws Error if that wasn't the
-/// driver's will.
-void drive_until_the_end(Driven& driven, Robot& robot, const KeyDriveParams& params, const std::stop_token& stop) {
+/// driver's will. `watched`: others see it; may be nobody.
+void drive_until_the_end(Driven& driven, Robot& robot, const KeyDriveParams& params, WatchedDrive* watched,
+                         const std::stop_token& stop) {
   DriveDisplay display(driven.model());
   KeyDriver driver(params);
   DriveEnd end = DriveEnd::Quit;
@@ -134,10 +142,12 @@ void drive_until_the_end(Driven& driven, Robot& robot, const KeyDriveParams& par
         robot, driver, keys,
         [&](const Frame& frame, const Motion& motion, const KeyDriver& now) {
           display.take(frame);
+          if (watched != nullptr) watched->see(frame, motion);
           screen.show(display.lines(frame, motion, now));
         },
         stop);
   }
+  if (watched != nullptr) watched->end(ended(end), display.driven());
   if (end == DriveEnd::KeyboardGone) throw Error("the terminal went away; the robot was stopped", Error::Kind::Failure);
   if (end == DriveEnd::RobotGone) throw Error("the robot fell silent", Error::Kind::Failure);
   fmt::print("driven {:.2f} m; the robot stands\n", display.driven());
@@ -158,8 +168,17 @@ void drive(DriveFlags& flags) {
   if (flags.calibration_file) {
     calibrated.emplace(driven->robot(), calibration_for(driven->model_name(), *flags.calibration_file), model.drive);
   }
-  drive_until_the_end(*driven, calibrated ? static_cast<Robot&>(*calibrated) : driven->robot(), flags.keys,
-                      interrupt.token());
+  Robot& robot = calibrated ? static_cast<Robot&>(*calibrated) : driven->robot();
+  Audience audience(flags.ros, false);
+  std::optional<WatchedDrive> watched;
+  if (Publishing* publishing = audience.publishing()) {
+    Scenario scenario = flags.scenario;
+    scenario.model = driven->model_name();
+    watched.emplace(scenario, model, *publishing, on_a_wire ? RunTime::Real : RunTime::Paced);
+    audience.node()->hold_lines();
+  }
+  drive_until_the_end(*driven, robot, flags.keys, watched ? &*watched : nullptr, interrupt.token());
+  audience.finish();
 }
 
 }  // namespace
@@ -179,6 +198,7 @@ void add_drive(CLI::App& app) {
   add_calibration_flag(*command, flags->calibration_file);
   command->add_option("--max-speed", flags->keys.max_speed, "full speed [m/s] (0.2)")->check(number);
   command->add_option("--max-turn", flags->keys.max_turn, "full rate of turn [rad/s] (1)")->check(number);
+  add_ros_flags(*command, flags->ros, "be a node of ROS 2, for others to look on");
   command->callback([flags] { drive(*flags); });
 }
 

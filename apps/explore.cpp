@@ -7,15 +7,14 @@
 #include <scrubjay/mission/estimation.hpp>
 #include <scrubjay/mission/strategies.hpp>
 
+#include "audience.hpp"
 #include "commands.hpp"
 #include "data_folder.hpp"
 #include "interrupt.hpp"
 #include "live_run.hpp"
 #include "progress.hpp"
-#include "publishing.hpp"
 #include "recorded_run.hpp"
 #include "robot_address.hpp"
-#include "ros_node.hpp"
 #include "run_options.hpp"
 #include "simulated_run.hpp"
 #include "summary.hpp"
@@ -55,18 +54,14 @@ void check_zstd(const ExploreFlags& flags) {
   throw Error("--zstd packs an .mcap; want --record FILE.mcap with it");
 }
 
-/// Who is told of the run as it goes.
-struct Audience {
-  explicit Audience(const ExploreFlags& flags)
-      : node(flags.ros.wanted ? std::make_unique<RosNode>(flags.ros, flags.output.quiet) : nullptr),
-        publishing(bag_recording(flags), flags.zstd) {
-    if (node) publishing.tell(node->sink());
-  }
-  Publishing* wanted() { return publishing.wanted() ? &publishing : nullptr; }
+/// Others see it as it goes.
+double speed_of(const ExploreFlags& flags) {
+  return flags.speed.value_or(flags.ros.wanted ? 1.0 : 0.0);
+}
 
-  std::unique_ptr<RosNode> node;
-  Publishing publishing;  // the last thing that can fail, for it takes an older bag's place
-};
+Audience make_audience(const ExploreFlags& flags) {
+  return {flags.ros, flags.output.quiet, bag_recording(flags), flags.zstd};
+}
 
 void expect_robot(const RunResult& run) {
   if (run.report.ended == Ended::RobotGone) throw Error("the robot fell silent", Error::Kind::Failure);
@@ -91,17 +86,17 @@ void explore_simulated(const ExploreFlags& flags) {
 
   const Interrupt interrupt;
   RunOptions options;
-  options.speed = flags.speed.value_or(flags.ros.wanted ? 1.0 : 0.0);  // others see it as it goes
+  options.speed = speed_of(flags);
   options.record = wire_recording(flags);
-  Audience audience(flags);
-  options.publishing = audience.wanted();
+  Audience audience = make_audience(flags);
+  options.publishing = audience.publishing();
   std::optional<Progress> progress;
   if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(&truth);
   const RunResult run = run_simulated(scenario, stage, truth, options, interrupt.token());
-  if (audience.node) audience.node->finish();
+  audience.finish();
   progress.reset();
   deliver(run, folder.path(), flags.octomap, flags.output);
-  audience.publishing.close();
+  audience.close();
   expect_robot(run);
 }
 
@@ -120,22 +115,21 @@ void explore_live(const ExploreFlags& flags, const SerialAddress& address) {
   live.enter(scenario, flags.scenario.calibration_file);
   LiveOptions options;
   options.record = wire_recording(flags);
-  Audience audience(flags);
-  options.publishing = audience.wanted();
+  Audience audience = make_audience(flags);
+  options.publishing = audience.publishing();
   std::optional<Progress> progress;
   if (progress_wanted(flags.output.quiet)) options.onlooker = &progress.emplace(nullptr);
   const RunResult run = run_live(scenario, live.robot(), options, interrupt.token());
   interrupt.robot_stands();
-  if (audience.node) audience.node->finish();
+  audience.finish();
   progress.reset();
   deliver(run, folder.path(), flags.octomap, flags.output);
   live.robot().close_recording();
-  audience.publishing.close();
+  audience.close();
   expect_robot(run);
 }
 
 void explore_recorded(const ExploreFlags& flags, const InRecording& recording) {
-  if (flags.ros.wanted) throw Error("--ros2 is for a robot that is there; want none with a recorded one");
   if (flags.record) throw Error("--record is for a robot that is there; want none with a recorded one");
   expect_speed(flags.speed.value_or(0.0));
   Recording opened = open_recording(recording.file);
@@ -143,7 +137,9 @@ void explore_recorded(const ExploreFlags& flags, const InRecording& recording) {
   apply_flags(flags.scenario, scenario);
   const RunFolder folder = prepare_results(run_folder(flags, recording.file), flags.octomap);
   const Interrupt interrupt;
-  const RunResult run = run_recorded(opened, scenario, flags.speed.value_or(0.0), interrupt.token());
+  Audience audience = make_audience(flags);
+  const RunResult run = run_recorded(opened, scenario, {speed_of(flags), audience.publishing()}, interrupt.token());
+  audience.finish();
   deliver(run, folder.path(), flags.octomap, flags.output);
 }
 

@@ -89,7 +89,7 @@ RunResult run_live(const Scenario& scenario, SerialRobot& robot, const LiveOptio
   RunResult run;
   run.scenario = scenario;
   run.report = mission.run(stop);
-  if (options.publishing != nullptr) options.publishing->finish(estimation.mapper->map());
+  if (options.publishing != nullptr) options.publishing->finish(estimation.mapper->map(), run.report);
   // The session is over: nobody else writes to the recording now.
   if (recording != nullptr) recording->record_end({run.report.frames, std::string(to_string(run.report.ended))});
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -17,7 +17,7 @@ struct RosNode::State {};
 
 void add_ros_distro_flag(CLI::App&, RosFlags&) {}
 
-void add_ros_flags(CLI::App& command, RosFlags& flags) {
+void add_ros_flags(CLI::App& command, RosFlags& flags, const char*) {
   command.add_flag("--ros2", flags.wanted, "not in this build: there was no Fast DDS");
 }
 
@@ -30,13 +30,25 @@ RosNode::RosNode(const RosFlags&, bool) {
 }
 RosNode::~RosNode() = default;
 
+std::string RosNode::name() const {
+  refuse();
+}
+
 ros::MessageSink& RosNode::sink() {
+  refuse();
+}
+
+ros::LogQueue& RosNode::log() {
   refuse();
 }
 
 Steering& RosNode::steering(const RobotModel&) {
   refuse();
 }
+
+void RosNode::hold_lines() {}
+
+void RosNode::sum_up() {}
 
 void RosNode::finish() {}
 

@@ -16,6 +16,7 @@
 
 #include "data_folder.hpp"
 #include "passenger.hpp"
+#include "publishing.hpp"
 #include "simulated_run.hpp"
 
 namespace scrubjay::apps {
@@ -110,7 +111,8 @@ std::optional<RunTruth> find_truth(const std::string& name, const RunResult& run
   }
 }
 
-RunResult run_recorded(Recording& recording, const Scenario& scenario, double speed, const std::stop_token& stop) {
+RunResult run_recorded(Recording& recording, const Scenario& scenario, const ReplayOptions& options,
+                       const std::stop_token& stop) {
   const auto begin = std::chrono::steady_clock::now();
   std::stop_source stopped;
   const std::stop_callback pass_on(stop, [&stopped] { stopped.request_stop(); });
@@ -120,7 +122,7 @@ RunResult run_recorded(Recording& recording, const Scenario& scenario, double sp
   std::optional<CalibratedRobot> calibrated;
   if (scenario.calibration) source = &calibrated.emplace(*source, *scenario.calibration, model.drive);
   std::optional<PacedRobot> paced;
-  if (speed > 0.0) source = &paced.emplace(*source, speed);
+  if (options.speed > 0.0) source = &paced.emplace(*source, options.speed);
   const Estimation estimation = make_estimation(scenario, model);
   const std::unique_ptr<Behavior> strategy = scenario.strategy.empty()
                                                  ? std::make_unique<Passenger>()
@@ -128,12 +130,16 @@ RunResult run_recorded(Recording& recording, const Scenario& scenario, double sp
   Mission mission(*source, *estimation.localizer, *estimation.mapper, *strategy, {scenario.max_time});
   Track track;
   mission.watch(track);
+  if (options.publishing != nullptr) {
+    mission.watch(options.publishing->begin(scenario, model, run_time(options.speed)));
+  }
 
   RunResult run;
   run.scenario = scenario;
   run.report = mission.run(stopped.get_token());
   expect_frames(recording, scenario, run.report);
   if (goes_on_unrecorded(recording, run.report)) run.report.ended = Ended::EndOfRecording;
+  if (options.publishing != nullptr) options.publishing->finish(estimation.mapper->map(), run.report);
   if (recording.reader.cut()) {
     fmt::print(stderr, "scrubjay: {}: cut or damaged after {:.1f} s; replayed up to there\n", recording.name,
                run.report.time);

@@ -12,6 +12,8 @@
 
 namespace scrubjay::apps {
 
+class Publishing;
+
 /// The longest that a scenario's max_time may be [s]: of a recording that is replayed to its end, however long.
 inline constexpr double kLongestReplay = 1e7;
 
@@ -30,12 +32,17 @@ Recording open_recording(const std::filesystem::path& file);
 /// file. Says on stderr that it can't. `name`: of what was replayed.
 std::optional<RunTruth> find_truth(const std::string& name, const RunResult& run);
 
+struct ReplayOptions {
+  double speed = 0.0;                ///< times real time; 0 is as fast as possible
+  Publishing* publishing = nullptr;  ///< tells others; may be nobody
+};
+
 /// Decides anew from the same frames, with `scenario` in place of the recording's; the robot of a recording goes where
-/// it went. Without a strategy nobody decides anything, and only the map is made. `speed`: times real time; 0 is as
-/// fast as possible.
+/// it went. Without a strategy nobody decides anything, and only the map is made.
 ///
 /// Scored if the scenario's world can be read. Says on stderr if not, and if the recording was cut. Throws Error
 /// (Kind::Failure) if it holds not a single frame.
-RunResult run_recorded(Recording& recording, const Scenario& scenario, double speed, const std::stop_token& stop);
+RunResult run_recorded(Recording& recording, const Scenario& scenario, const ReplayOptions& options,
+                       const std::stop_token& stop);
 
 }  // namespace scrubjay::apps

@@ -6,6 +6,7 @@
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/file_kind.hpp>
 
+#include "audience.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "recorded_run.hpp"
@@ -17,7 +18,7 @@ namespace scrubjay::apps {
 namespace {
 
 void replay(const ReplayFlags& flags) {
-  expect_speed(flags.speed);
+  expect_speed(flags.speed.value_or(0.0));
   check_octomap(flags.octomap);
   const FileKind kind = file_kind(flags.log);
   const bool tells_wheels = kind != FileKind::CarmenLog && kind != FileKind::Bag;
@@ -37,7 +38,10 @@ void replay(const ReplayFlags& flags) {
   if (flags.calibration_file) scenario.calibration = calibration_for(scenario.model, *flags.calibration_file);
   const RunFolder folder = prepare_results(replay_folder(flags), flags.octomap);
   const Interrupt interrupt;
-  const RunResult run = run_recorded(recording, scenario, flags.speed, interrupt.token());
+  Audience audience(flags.ros, flags.output.quiet);
+  const RunResult run =
+      run_recorded(recording, scenario, {replay_speed(flags), audience.publishing()}, interrupt.token());
+  audience.finish();
   deliver(run, folder.path(), flags.octomap, flags.output);
 }
 
@@ -53,6 +57,7 @@ void add_replay(CLI::App& app) {
   command->add_option("--calibration", flags->calibration_file, "other factors than those it was driven with");
   add_carmen_flags(*command, flags->carmen);
   add_octomap_flags(*command, flags->octomap);
+  add_ros_flags(*command, flags->ros, "be a node of ROS 2; as fast as it was then");
   add_output_flags(*command, flags->output);
   command->callback([flags] { replay(*flags); });
 }

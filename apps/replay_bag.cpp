@@ -14,6 +14,7 @@
 #include <scrubjay/mission/paced_robot.hpp>
 #include <scrubjay/mission/track.hpp>
 
+#include "audience.hpp"
 #include "data_folder.hpp"
 #include "interrupt.hpp"
 #include "passenger.hpp"
@@ -51,19 +52,20 @@ Scenario scenario_of(const std::string& bag, const BagSenses& senses) {
   return scenario;
 }
 
-RunResult run_bag(const ReplayFlags& flags, const BagSenses& senses, const Scenario& scenario,
+RunResult run_bag(const ReplayFlags& flags, const BagSenses& senses, const Scenario& scenario, Publishing* publishing,
                   const std::stop_token& stop) {
   const auto begin = std::chrono::steady_clock::now();
   const RobotModel model = robot_of(senses, find_robot(scenario.model).model);
   BagRobot robot(flags.log, senses);
   std::optional<PacedRobot> paced;
-  if (flags.speed > 0.0) paced.emplace(robot, flags.speed);
+  if (const double speed = replay_speed(flags); speed > 0.0) paced.emplace(robot, speed);
   const Estimation estimation = make_estimation(scenario, model);
   Passenger passenger;
   Mission mission(paced ? static_cast<Robot&>(*paced) : robot, *estimation.localizer, *estimation.mapper, passenger,
                   {scenario.max_time});
   Track track;
   mission.watch(track);
+  if (publishing != nullptr) mission.watch(publishing->begin(scenario, model, run_time(replay_speed(flags))));
 
   RunResult run;
   run.scenario = scenario;
@@ -74,6 +76,7 @@ RunResult run_bag(const ReplayFlags& flags, const BagSenses& senses, const Scena
         Error::Kind::Failure);
   }
   if (run.report.ended == Ended::RobotGone) run.report.ended = Ended::EndOfRecording;
+  if (publishing != nullptr) publishing->finish(estimation.mapper->map(), run.report);
   if (robot.cut()) {
     fmt::print(stderr, "scrubjay: {}: cut or damaged after {:.1f} s; replayed up to there\n", flags.log,
                run.report.time);
@@ -99,7 +102,9 @@ void replay_bag(const ReplayFlags& flags) {
   const Scenario scenario = scenario_of(flags.log, senses);
   const RunFolder folder = prepare_results(replay_folder(flags), flags.octomap);
   const Interrupt interrupt;
-  const RunResult run = run_bag(flags, senses, scenario, interrupt.token());
+  Audience audience(flags.ros, flags.output.quiet);
+  const RunResult run = run_bag(flags, senses, scenario, audience.publishing(), interrupt.token());
+  audience.finish();
   deliver(run, folder.path(), flags.octomap, flags.output);
 }
 

@@ -18,6 +18,7 @@
 #include <scrubjay/mission/paced_robot.hpp>
 #include <scrubjay/mission/track.hpp>
 
+#include "audience.hpp"
 #include "interrupt.hpp"
 #include "passenger.hpp"
 #include "summary.hpp"
@@ -95,7 +96,16 @@ double cpu_time() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-RunResult run_log(const Setup& setup, const CarmenLog& log, double speed, const std::stop_token& stop) {
+/// Of a robot that no file describes.
+Scenario nameless() {
+  Scenario scenario;
+  scenario.model.clear();
+  scenario.strategy.clear();
+  return scenario;
+}
+
+RunResult run_log(const Setup& setup, const CarmenLog& log, double speed, Publishing* publishing,
+                  const std::stop_token& stop) {
   CarmenRobot robot(log);
   std::optional<PacedRobot> paced;
   if (speed > 0.0) paced.emplace(robot, speed);
@@ -107,11 +117,13 @@ RunResult run_log(const Setup& setup, const CarmenLog& log, double speed, const 
   constexpr double kEveryFrame = 0.0;
   Track track(kEveryFrame);
   mission.watch(track);
+  if (publishing != nullptr) mission.watch(publishing->begin(nameless(), setup.robot, run_time(speed)));
 
   const auto begin = std::chrono::steady_clock::now();
   const double cpu_begin = cpu_time();
   RunResult run;
   run.report = mission.run(stop);
+  if (publishing != nullptr) publishing->finish(mapper.map(), run.report);
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   run.cpu_time = cpu_time() - cpu_begin;
   run.map = mapper.occupancy();
@@ -177,6 +189,10 @@ void add_carmen_flags(CLI::App& command, CarmenFlags& flags) {
       ->group(group);
 }
 
+double replay_speed(const ReplayFlags& flags) {
+  return flags.speed.value_or(flags.ros.wanted ? 1.0 : 0.0);
+}
+
 std::filesystem::path replay_folder(const ReplayFlags& flags) {
   return flags.out ? std::filesystem::path(*flags.out) : std::filesystem::path("out") / log_stem(flags.log);
 }
@@ -187,7 +203,9 @@ void replay_carmen(const ReplayFlags& flags) {
   const std::optional<Judge> judge = find_judge(flags.carmen, log);
   const RunFolder folder = prepare_results(replay_folder(flags), flags.octomap);
   const Interrupt interrupt;
-  RunResult run = run_log(setup, log, flags.speed, interrupt.token());
+  Audience audience(flags.ros, flags.output.quiet);
+  RunResult run = run_log(setup, log, replay_speed(flags), audience.publishing(), interrupt.token());
+  audience.finish();
   run.reference = compare_with_log(run, setup.poses, log, judge);
   write_run(folder.path(), run);
   if (flags.octomap.file) write_octomap(*flags.octomap.file, run.map, flags.octomap.height);

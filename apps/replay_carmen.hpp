@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "ros_node.hpp"
 #include "run_options.hpp"
 
 namespace scrubjay::apps {
@@ -27,14 +28,17 @@ void add_carmen_flags(CLI::App& command, CarmenFlags& flags);
 /// What any replay is told.
 struct ReplayFlags {
   std::string log;
-  double speed = 0.0;  ///< times real time; 0 is as fast as possible
+  std::optional<double> speed{};
   std::optional<std::string> out;
   std::optional<std::string> calibration_file;
   CarmenFlags carmen;
   OctomapFlags octomap;
   OutputFlags output;
+  RosFlags ros;
 };
 
+/// Times real time; 0 is as fast as possible. Nodes of ROS 2 see it as it was.
+double replay_speed(const ReplayFlags& flags);
 /// A log's name without its folder and its endings, .gz among them.
 std::string log_stem(const std::filesystem::path& log);
 /// Where the results go: --out, or out/LOG.

@@ -1,43 +1,75 @@
 #include "ros_node.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <mutex>
 #include <scrubjay/error.hpp>
 #include <scrubjay/ros2/bridge.hpp>
-#include <scrubjay/ros2/environment.hpp>
 #include <scrubjay/ros2/ordered_robot.hpp>
 #include <scrubjay/ros2/placed_localizer.hpp>
 #include <scrubjay/ros2/remote_drive.hpp>
+#include <thread>
+
+#include "ros_options.hpp"
 
 namespace scrubjay::apps {
 namespace {
 
-constexpr double kPatience = 1.0;  // with what is still to be sent at the end [s]
+constexpr double kPatience = 1.0;                  // with what is still to be sent at the end [s]
+constexpr std::chrono::seconds kBetweenLooks(10);  // at what others do: they find us within a few
 
-/// As the command line had them; a process has one.
-ros::RosArguments& ros_arguments() {
-  static ros::RosArguments arguments;
-  return arguments;
-}
+/// Told of to whoever sits before the terminal, and to /rosout. From any thread.
+class Teller {
+ public:
+  explicit Teller(bool quiet) : quiet_(quiet) {}
+  Teller(const Teller&) = delete;
+  Teller& operator=(const Teller&) = delete;
+  ~Teller() { release(); }
 
-void tell(const std::string& line) {
-  fmt::print(stderr, "scrubjay: {}\n", line);
-}
-
-ros::ParticipantOptions options_of(const RosFlags& flags, bool quiet) {
-  std::optional<ros::Distribution> distro;
-  if (flags.distro) {
-    distro = ros::distribution_named(*flags.distro);
-    if (!distro) {
-      throw Error(fmt::format("--ros-distro is {}; want humble, iron, jazzy, kilted or rolling", *flags.distro));
+  void tell(std::uint8_t level, const std::string& line) {
+    log_.add(level, line);
+    if (quiet_) return;
+    const std::scoped_lock lock(mutex_);
+    if (held_) {
+      held_->push_back(line);
+    } else {
+      print(line);
     }
   }
-  const ros::Environment environment = ros::read_environment(ros::process_variable, distro);
-  std::vector<std::string> warnings = environment.warnings;
-  ros::ParticipantOptions options = ros::participant_options(environment, ros_arguments(), warnings);
-  if (quiet) return options;
-  for (const std::string& warning : warnings) tell(warning);
-  options.tell = tell;
+  void hold() {
+    const std::scoped_lock lock(mutex_);
+    held_.emplace();
+  }
+  void release() {
+    const std::scoped_lock lock(mutex_);
+    if (held_) std::ranges::for_each(*held_, print);
+    held_.reset();
+  }
+  ros::LogQueue& log() { return log_; }
+
+ private:
+  static void print(const std::string& line) {
+    const char* over_progress = ::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
+    // Not by fmt::print, which throws where nobody listens any more, as on a terminal that is gone.
+    std::fputs(fmt::format("{}scrubjay: {}\n", over_progress, line).c_str(), stderr);
+  }
+
+  bool quiet_;
+  ros::LogQueue log_;
+  std::mutex mutex_;
+  std::optional<std::vector<std::string>> held_;
+};
+
+ros::ParticipantOptions options_of(const RosFlags& flags, Teller& teller) {
+  std::vector<std::string> warnings;
+  ros::ParticipantOptions options = ros_options(flags, warnings);
+  for (const std::string& warning : warnings) teller.tell(ros::Log::kWarn, warning);
+  options.tell = [&teller](const std::string& line) { teller.tell(ros::Log::kWarn, line); };
   return options;
 }
 
@@ -67,44 +99,102 @@ class RemoteSteering final : public Steering {
 }  // namespace
 
 struct RosNode::State {
-  State(const RosFlags& flags, bool is_quiet) : quiet(is_quiet), bridge(options_of(flags, quiet), ros::kTopics) {}
-  bool quiet;
+  State(const RosFlags& flags, bool quiet)
+      : teller(quiet), options(options_of(flags, teller)), bridge(options, ros::kTopics) {}
+
+  void watch(const std::stop_token& end);
+  void tell_unheard();
+  void tell_refused();
+  void tell_lost();
+
+  Teller teller;
+  ros::ParticipantOptions options;
   std::optional<RemoteSteering> steering;  // outlives the bridge, whose threads fill it
   ros::Bridge bridge;
+  std::mutex mutex;  // of what follows
+  bool looked = false;
+  std::uint64_t refused = 0;                                                 // of which was told
+  std::jthread watcher{[this](const std::stop_token& end) { watch(end); }};  // uses all that is before it
 };
 
-void add_ros_distro_flag(CLI::App& command, RosFlags& flags) {
-  command.add_option("--ros-distro", flags.distro, "humble, iron, jazzy, kilted or rolling\n($ROS_DISTRO, or jazzy)");
+/// Others may want to know while the run goes on.
+void RosNode::State::watch(const std::stop_token& end) {
+  std::mutex waiting;
+  std::condition_variable_any never;
+  std::unique_lock lock(waiting);
+  while (!never.wait_for(lock, end, kBetweenLooks, [] { return false; }) && !end.stop_requested()) {
+    tell_unheard();
+    tell_refused();
+  }
 }
 
-void add_ros_flags(CLI::App& command, RosFlags& flags) {
-  command.add_flag("--ros2", flags.wanted, "be a node of ROS 2; simulated in real time then");
-  add_ros_distro_flag(command, flags);
+void RosNode::State::tell_unheard() {
+  const std::scoped_lock lock(mutex);
+  if (std::exchange(looked, true)) return;
+  const std::vector<std::string> unheard = bridge.participant().unheard();
+  if (unheard.size() == ros::kTopics.size()) {
+    teller.tell(ros::Log::kWarn, "nobody listens to any topic of ours; scrubjay doctor --ros2 tells who is there");
+  } else if (!unheard.empty()) {
+    // As is usual: nobody needs to be told who didn't ask.
+    teller.log().add(ros::Log::kInfo, fmt::format("nobody listens to {}", fmt::join(unheard, ", ")));
+  }
 }
 
-void take_ros_words(std::vector<std::string>& words) {
-  ros_arguments() = ros::take_ros_arguments(words);
+void RosNode::State::tell_refused() {
+  const std::scoped_lock lock(mutex);
+  if (!steering) return;
+  const ros::CommandTally tally = steering->commands().tally();
+  const std::uint64_t all = tally.malformed + tally.out_of_range + tally.other_frame;
+  if (all == std::exchange(refused, all)) return;
+  teller.tell(ros::Log::kWarn,
+              fmt::format("refused {} messages that nobody could read, and {} that asked for what can't "
+                          "be",
+                          tally.malformed, tally.out_of_range + tally.other_frame));
+}
+
+void RosNode::State::tell_lost() {
+  const ros::WriterTally tally = bridge.tally();
+  if (tally.dropped + tally.refused == 0) return;
+  teller.tell(ros::Log::kWarn,
+              fmt::format("of {} messages, {} weren't sent as too many waited, and {} as Fast DDS refused them",
+                          tally.published + tally.dropped + tally.refused, tally.dropped, tally.refused));
 }
 
 RosNode::RosNode(const RosFlags& flags, bool quiet) : state_(std::make_unique<State>(flags, quiet)) {}
 RosNode::~RosNode() = default;
 
+std::string RosNode::name() const {
+  return state_->options.names.full_name();
+}
+
 ros::MessageSink& RosNode::sink() {
   return state_->bridge;
 }
 
+ros::LogQueue& RosNode::log() {
+  return state_->teller.log();
+}
+
 Steering& RosNode::steering(const RobotModel& robot) {
-  state_->bridge.listen(state_->steering.emplace(robot, state_->quiet ? nullptr : tell).commands());
+  const std::scoped_lock lock(state_->mutex);
+  const auto tell = [teller = &state_->teller](const std::string& line) { teller->tell(ros::Log::kWarn, line); };
+  state_->bridge.listen(state_->steering.emplace(robot, tell).commands());
   return *state_->steering;
+}
+
+void RosNode::hold_lines() {
+  state_->teller.hold();
+}
+
+void RosNode::sum_up() {
+  state_->tell_unheard();
+  state_->tell_refused();
+  state_->tell_lost();
 }
 
 void RosNode::finish() {
   state_->bridge.flush(kPatience);
-  if (!state_->steering || state_->quiet) return;
-  const ros::CommandTally tally = state_->steering->commands().tally();
-  if (tally.malformed + tally.out_of_range + tally.other_frame == 0) return;
-  tell(fmt::format("refused {} messages that nobody could read, and {} that asked for what can't be", tally.malformed,
-                   tally.out_of_range + tally.other_frame));
+  state_->teller.release();
 }
 
 }  // namespace scrubjay::apps

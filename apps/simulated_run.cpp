@@ -141,14 +141,13 @@ RunResult run_simulated(const Scenario& scenario, const Stage& stage, const Grou
   mission.watch(truth_track);
   if (options.onlooker != nullptr) mission.watch(*options.onlooker);
   if (options.publishing != nullptr) {
-    const RunTime time = options.speed > 0.0 ? RunTime::Paced : RunTime::Free;
-    mission.watch(options.publishing->begin(scenario, model, time));
+    mission.watch(options.publishing->begin(scenario, model, run_time(options.speed)));
   }
 
   RunResult run;
   run.scenario = scenario;
   run.report = mission.run(stop);
-  if (options.publishing != nullptr) options.publishing->finish(estimation.mapper->map());
+  if (options.publishing != nullptr) options.publishing->finish(estimation.mapper->map(), run.report);
   simulated.close_recording(run.report);
   run.cpu_time = thread_cpu_time() - cpu_begin;
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_begin).count();

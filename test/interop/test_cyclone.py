@@ -77,6 +77,26 @@ class GraphTest(unittest.TestCase):
         self.assertEqual({topic for topic in (*TOPICS, *LATCHED_TOPICS) if topic not in writers}, set())
 
 
+class RosoutTest(unittest.TestCase):
+    def test_what_is_refused_is_logged(self):
+        with Node("bridge", ROOM, "--ros-args", "-r", "__ns:=/robot1") as node:
+            peer = Peer(node)
+            lines = peer.hear("rt/rosout", ros.Log, LATCHED)
+            lines.first()
+            odom = peer.hear("rt/robot1/odom", ros.Odometry)
+            told = peer.tell("rt/robot1/goal_pose", ros.PoseStamped)
+            goal = ros.PoseStamped(header=ros.Header(frame_id="map"))
+            goal.pose.position.x = math.nan
+            told.write(goal)
+            before = odom.first().header.stamp.sec
+            eventually(lambda: odom.last().header.stamp.sec > before + 1, "a second later")
+            node.end()
+            self.assertEqual({line.name for line in lines.all()}, {"robot1.scrubjay"})
+            self.assertIn((30, "refused 0 messages that nobody could read, and 1 that asked for what can't be"),
+                          [(line.level, line.msg) for line in lines.all()])
+            self.assertIn("refused 0 messages", node.said())
+
+
 class ExploreTest(unittest.TestCase):
     """A Roomba explores a room, and every topic that it has is heard; then what was said is compared."""
 
@@ -95,12 +115,13 @@ class ExploreTest(unittest.TestCase):
     def test_every_topic_of_a_roomba_has_right_values(self):
         self.explore()
         # These are told when something happens, which may be before anybody hears, or never in that room.
-        rare = {"ir_omni", "map_updates", "plan", "rosout", "wheeldrop"}
+        rare = {"ir_omni", "map_updates", "plan", "wheeldrop"}
         self.assertEqual({topic for topic, said in self.said.items() if not said} - rare, set())
         self.check_ways()
         self.check_senses()
         self.check_battery()
         self.check_latched()
+        self.check_words()
 
     def check_ways(self):
         odoms = {round(seconds(odom), 3): odom for odom in self.said["odom"]}
@@ -136,8 +157,6 @@ class ExploreTest(unittest.TestCase):
         self.assertFalse(any(said.is_cliff_left or said.is_cliff_front_left or said.is_cliff_front_right
                              or said.is_cliff_right for said in self.said["cliff"]))
         self.assertEqual(self.last("mode").mode, 2)
-        self.assertEqual([(value.key, value.value) for value in self.last("diagnostics").status[0].values],
-                         [("mode", "safe"), ("charging", "no")])
 
     def check_battery(self):
         state = self.last("battery_state")
@@ -154,6 +173,20 @@ class ExploreTest(unittest.TestCase):
                              ("capacity", state.capacity), ("charge_ratio", state.percentage),
                              ("temperature", state.temperature)):
             self.assertAlmostEqual(self.last(f"battery/{topic}").data, value, delta=0.01)
+
+    def check_words(self):
+        lines = self.said["rosout"]
+        self.assertEqual({line.name for line in lines}, {"scrubjay"})
+        self.assertRegex(lines[-1].msg, r"^ends: time limit after \d+ s, ")
+        self.assertEqual(lines[-1].level, 20)
+        robot, battery, messages = self.last("diagnostics").status
+        self.assertEqual([status.name for status in (robot, battery, messages)],
+                         ["scrubjay: robot", "scrubjay: battery", "scrubjay: messages"])
+        self.assertEqual([status.level for status in (robot, battery, messages)], [0, 0, 0])
+        self.assertEqual({value.key: value.value for value in robot.values},
+                         {"doing": robot.message, "mode": "safe", "dropped wheels": "none"})
+        self.assertIn(("charging", "no"), [(value.key, value.value) for value in battery.values])
+        self.assertGreater(int(messages.values[0].value), 1000)
 
     def check_latched(self):
         grid = self.last("map")
