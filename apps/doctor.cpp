@@ -1,5 +1,5 @@
 /// \file
-/// `scrubjay doctor`: what is connected, and whether it is well.
+/// `scrubjay doctor`: what is connected, and whether it is well; or the same of a domain of ROS 2.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "doctor_hands.hpp"
 #include "doctor_report.hpp"
+#include "doctor_ros2.hpp"
 #include "interrupt.hpp"
 #include "robot_address.hpp"
 #include "run_options.hpp"
@@ -25,6 +26,7 @@ struct DoctorFlags {
   bool yes = false;
   bool no_reset = false;
   bool json = false;
+  RosFlags ros;
 };
 
 void say(const std::string& what) {
@@ -42,6 +44,12 @@ SerialAddress choose_port(const DoctorFlags& flags) {
   }
   say(fmt::format("the only port is {}", ports.front().string()));
   return {ports.front()};
+}
+
+/// Throws Error where the domain is to be examined, and something of a port is told.
+void expect_no_port(const DoctorFlags& flags) {
+  if (!flags.port && !flags.check && !flags.yes && !flags.no_reset) return;
+  throw Error("--ros2 examines others, and no robot; want none of --port, --check, --yes and --no-reset with it");
 }
 
 /// Tries these rates until one answers, and wakes it in between. The rate that it was.
@@ -77,6 +85,11 @@ void doctor(const DoctorFlags& flags) {
   if (!(flags.listen >= 0.5 && flags.listen <= 3600.0)) {
     throw Error(fmt::format("--listen is {}; want 0.5 to 3600 seconds", flags.listen));
   }
+  if (flags.ros.wanted) {
+    expect_no_port(flags);
+    return examine_domain(flags.ros, flags.listen, flags.json);
+  }
+  if (flags.ros.distro) throw Error("--ros-distro is of nodes; want --ros2 with it");
   const Interrupt interrupt;
   PortReport port_report;
   port_report.address = choose_port(flags);
@@ -106,14 +119,17 @@ void doctor(const DoctorFlags& flags) {
 }  // namespace
 
 void add_doctor(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("doctor", "Examine the robot on a serial port; it never drives");
+  CLI::App* command = app.add_subcommand(
+      "doctor", "Examine a robot on a serial port, which never drives,\nor who else is in the domain of ROS 2");
   const auto flags = std::make_shared<DoctorFlags>();
   command->add_option("--port", flags->port, "PATH[@BAUD], as /dev/ttyUSB0 (the only one there is)");
-  command->add_option("--listen", flags->listen, "count frames for so long [s] (3)")->check(number);
+  command->add_option("--listen", flags->listen, "count frames, or look for others, for so long [s] (3)")
+      ->check(number);
   command->add_flag("--check", flags->check, "check bumpers and wheels by hand, terminal or not");
   command->add_flag("--yes", flags->yes, "ask nothing: no check by hand");
   command->add_flag("--no-reset", flags->no_reset, "don't restart the robot to read its release");
   command->add_flag("--json", flags->json, "print the report as JSON");
+  add_ros_flags(*command, flags->ros, "examine who else is in the domain of ROS 2, and what\nthey hear of us");
   command->callback([flags] { doctor(*flags); });
 }
 

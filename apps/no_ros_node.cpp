@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <scrubjay/error.hpp>
 
+#include "doctor_ros2.hpp"
 #include "ros_node.hpp"
 
 namespace scrubjay::apps {
@@ -51,5 +52,9 @@ void RosNode::hold_lines() {}
 void RosNode::sum_up() {}
 
 void RosNode::finish() {}
+
+void examine_domain(const RosFlags&, double, bool) {
+  refuse();
+}
 
 }  // namespace scrubjay::apps

@@ -59,6 +59,14 @@ def why_no_node():
     return said.strip() if "built without Fast DDS" in said else ""
 
 
+def loopback_environment(domain, humble=False):
+    """This process's, with what makes a `scrubjay` a node of that domain on this machine alone."""
+    quiet = {name: value for name, value in os.environ.items() if not name.startswith(("ROS_", "FASTRTPS_"))}
+    # Humble knows no other variable.
+    loopback = {"ROS_LOCALHOST_ONLY": "1"} if humble else {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
+    return {**quiet, **loopback, "ROS_DOMAIN_ID": str(domain)}
+
+
 class Node:
     """A `scrubjay` that is a node in a domain of its own, from entering a `with` to `end()`, or to leaving it. Skips the
     test if ours can be none."""
@@ -70,12 +78,8 @@ class Node:
         self._folder = tempfile.TemporaryDirectory(prefix="scrubjay-interop-")
         self.out = Path(self._folder.name) / "out"
         self._said = open(Path(self._folder.name) / "said", "w+", encoding="utf-8")
-        quiet = {name: value for name, value in os.environ.items() if not name.startswith(("ROS_", "FASTRTPS_"))}
         self._words = [PROGRAM, *map(str, words)]
-        loopback = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
-        if "humble" in self._words:
-            loopback = {"ROS_LOCALHOST_ONLY": "1"}  # which it knows instead
-        self._environment = {**quiet, **loopback, "ROS_DOMAIN_ID": str(self.domain)}
+        self._environment = loopback_environment(self.domain, "humble" in self._words)
         # Before what belongs to ROS, if anything does.
         place = self._words.index("--ros-args") if "--ros-args" in self._words else len(self._words)
         self._words[place:place] = ["--noise", "none", "--out", str(self.out)]
