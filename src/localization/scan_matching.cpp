@@ -87,7 +87,8 @@ bool ScanMatching::lay_over_map() {
     PoseFilter slipped = filter_;
     slipped.slip(Eigen::Vector3d(params_.window, params_.window, params_.window_angle) / kWindowSigmas);
     const ScanAlignment elsewhere = match_from(slipped);
-    if (elsewhere.support > params_.slip_gain * aligned.support && is_match(elsewhere)) {
+    const double enough = std::max(params_.slip_gain * aligned.support, aligned.support + params_.slip_support);
+    if (elsewhere.support > enough && is_match(elsewhere)) {
       aligned = elsewhere;
       filter_ = slipped;
     }

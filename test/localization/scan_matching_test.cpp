@@ -143,6 +143,22 @@ TEST(ScanMatchingTest, RecoversFromWheelsThatSlippedFar) {
   EXPECT_LT(turn(found, next), radians(0.5));
 }
 
+TEST(ScanMatchingTest, TakesNoFewBeamsWordThatWheelsSlipped) {
+  // A hall: all that is in reach is a piece of wall, some twenty beams wide, and ranges err as those of an LDS-01.
+  Stage stage({{{-0.5, 2.5}, {0.5, 2.5}}}, 0.05);
+  for (int i = 0; i < 10; ++i) stage.drive.go({}, {});
+  Pose2 truth;
+  Pose2 last;
+  for (int i = 0; i < 400; ++i) {
+    const Pose2 step{i / 20 % 2 == 0 ? 0.02 : -0.02, 0.0, radians(i / 50 % 2 == 0 ? 1.5 : -1.5)};
+    truth = truth * step;
+    const Pose2 found = stage.drive.go(truth, truth).pose;
+    ASSERT_LT(distance(found, last * step), 0.02) << i;
+    ASSERT_LT(turn(found, last * step), radians(1.0)) << i;
+    last = found;
+  }
+}
+
 TEST(ScanMatchingTest, BelievesOdometryAlongABareCorridor) {
   Stage stage(corridor_walls());
   PoseEstimate estimate;

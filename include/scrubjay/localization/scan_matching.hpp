@@ -28,7 +28,8 @@ struct ScanMatchingParams {
   double min_support = 10.0;            ///< beams on surfaces that make a match ...
   double min_share = 0.3;               ///< ... if they are this share of those that end where the map knows anything
   double doubtful_share = 0.7;          ///< with a share below this, the wheels may have slipped: the whole window ...
-  double slip_gain = 1.2;               ///< ... is searched, and must support the match this many times better
+  double slip_gain = 1.2;               ///< ... is searched, and must support the match this many times better ...
+  double slip_support = 20.0;           ///< ... and by this many beams: where few are left, noise takes some along
   MotionNoise motion;
   ScanAlignmentParams alignment;
 };
