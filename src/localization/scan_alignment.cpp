@@ -42,6 +42,15 @@ ScanAlignment ScanAligner::align(std::span<const ScanEnd> ends, const SurfaceMap
   return {pose, slope.information, slope.support};
 }
 
+/// Across a line that the beam meets at an angle of this cosine to its normal.
+ScanAligner::Uncertainty ScanAligner::uncertainty(const ScanEnd& end, double cosine, double of_line) const {
+  // Where in its width the beam ended, nobody knows.
+  const double of_end =
+      square(cosine * end.noise) + (1.0 - square(cosine)) * square(end.width) / 12.0 + square(params_.blur);
+  const double beams = std::max(1.0, params_.shared * cosine / end.width);
+  return {of_end + of_line, of_end + beams * of_line};
+}
+
 ScanAligner::Slope ScanAligner::slope_at(const Pose2& pose, std::span<const ScanEnd> ends, const SurfaceMap& surfaces,
                                          const LikelihoodField& field) {
   const double near = square(kFarthest * field.geometry().resolution);
@@ -53,19 +62,21 @@ ScanAligner::Slope ScanAligner::slope_at(const Pose2& pose, std::span<const Scan
     const Point2 end = pose.position() + arm;
     const CellIndex cell = field.geometry().cell_at(end);
     Pairing& pairing = pairings_[i];
-    if (!(cell == pairing.cell)) pairing = {cell, surfaces.line_at(cell, turned(heading, ends[i].view), field)};
+    const Point2 view = turned(heading, ends[i].view);
+    if (!(cell == pairing.cell)) pairing = {cell, surfaces.line_at(cell, view, field)};
     if (!pairing.line) continue;
 
     const double distance = pairing.line->distance(end);
-    const double variance = square(ends[i].noise) + pairing.line->variance;
-    if (square(distance) > std::max(near, square(kFarthestSigmas) * variance)) continue;
-    const double fit = variance / (variance + square(distance) * per_square_outlier);
-    const double weight = params_.trust * fit / variance;
+    const Uncertainty error = uncertainty(ends[i], std::fabs(pairing.line->normal.dot(view)), pairing.line->variance);
+    if (square(distance) > std::max(near, square(kFarthestSigmas) * error.shared)) continue;
+    const double outlying = square(distance) * per_square_outlier;
+    const double fit = error.shared / (error.shared + outlying);
+    const double weight = params_.trust * fit / error.shared;
     const Point2& normal = pairing.line->normal;
     const Eigen::Vector3d by_pose(normal.x(), normal.y(), normal.y() * arm.x() - normal.x() * arm.y());
     sum.information.noalias() += weight * by_pose * by_pose.transpose();
     sum.pull -= weight * distance * by_pose;
-    sum.support += fit;
+    sum.support += error.own / (error.own + outlying);
   }
   return sum;
 }

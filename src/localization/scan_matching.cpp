@@ -6,7 +6,8 @@
 namespace scrubjay {
 namespace {
 
-constexpr double kWindowSigmas = 3.0;  // standard deviations of odometry that the search goes
+constexpr double kWindowSigmas = 3.0;     // standard deviations of odometry that the search goes
+constexpr double kLeastIncrement = 1e-4;  // no lidar has beams nearer to each other; a message may say 0 [rad]
 
 const LidarModel& lidar_of(const RobotModel& robot) {
   if (!robot.lidar) throw Error("scan matching wants a robot with a lidar; this one has none");
@@ -62,11 +63,12 @@ void ScanMatching::match(const Frame& frame) {
 /// The ends of the frame's scan.
 void ScanMatching::take(const Frame& frame) {
   ends_.clear();
+  const double increment = std::max(std::fabs(frame.scan->angle_increment), kLeastIncrement);
   for (const Beam& beam : scan_points_.beams(*frame.scan, frame.stamp, estimate_.twist)) {
     if (!beam.hit) continue;
     const Point2 back = beam.origin - beam.end;
     const double range = std::sqrt(back.squaredNorm());
-    ends_.push_back({beam.end, back / range, params_.end_noise + lidar_.noise + lidar_.noise_per_range * range});
+    ends_.push_back({beam.end, back / range, lidar_.noise + lidar_.noise_per_range * range, increment * range});
   }
   search_ends_.clear();
   const std::size_t stride = std::max<std::size_t>(1, ends_.size() / static_cast<std::size_t>(params_.search_beams));
@@ -127,7 +129,8 @@ int ScanMatching::count_known(GridView<const LogOdds> map) const {
 void ScanMatching::remember() {
   const SinCos heading = sin_cos(estimate_.pose.yaw);
   for (const ScanEnd& end : ends_) {
-    surfaces_.add(estimate_.pose.position() + turned(heading, end.point), turned(heading, end.view), end.noise, field_);
+    surfaces_.add(estimate_.pose.position() + turned(heading, end.point), turned(heading, end.view),
+                  params_.alignment.blur + end.noise, field_);
   }
 }
 

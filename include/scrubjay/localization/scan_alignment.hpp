@@ -11,7 +11,9 @@ namespace scrubjay {
 
 struct ScanAlignmentParams {
   double outlier = 1.5;     ///< an end this far from its line counts half (Cauchy) [standard deviations]
-  double trust = 0.3;       ///< what a beam's word counts: beams that end on one surface share that surface's error
+  double trust = 0.3;       ///< what a beam's word counts: some of what beams err by is common to all of a scan
+  double blur = 0.005;      ///< standard deviation of where the map has a surface, on top of its line's [m]
+  double shared = 0.1;      ///< beams that end within this length of a surface share its line's error [m]
   int max_iterations = 10;  ///< three or four do, but for scans that fit nowhere
 };
 
@@ -19,7 +21,8 @@ struct ScanAlignmentParams {
 struct ScanEnd {
   Point2 point{0.0, 0.0};  ///< [m]
   Point2 view{0.0, 0.0};   ///< unit vector back to where the beam came from
-  double noise = 0.0;      ///< standard deviation along the beam, > 0 [m]
+  double noise = 0.0;      ///< standard deviation of the range, > 0 [m]
+  double width = 0.0;      ///< of the beam there: how far the ends of neighbours lie apart, seen head on; > 0 [m]
 };
 
 /// A scan laid onto surfaces.
@@ -32,6 +35,9 @@ struct ScanAlignment {
 /// Moves a scan until its ends lie on the lines of a SurfaceMap, by Gauss and Newton's method on the log-likelihood of
 /// scan and guess together. Distances count across surfaces only, as in A. Censi, *An ICP Variant Using a
 /// Point-to-Line Metric*, ICRA 2008: what a scan doesn't tell, like the way along a bare corridor, stays as guessed.
+/// So do errors: a beam that grazes a wall is hardly off by what its range is off by. And what a line itself is off by
+/// counts once, however many beams end there: else the corner of a wall, a hand's breadth off and seen by forty beams
+/// while its other face is still new, would have more to say than all the rest of a room.
 class ScanAligner {
  public:
   explicit ScanAligner(const ScanAlignmentParams& params = {}) : params_(params) {}
@@ -55,6 +61,13 @@ class ScanAligner {
     double support = 0.0;
   };
 
+  /// Variances of an end's distance from its line [m^2].
+  struct Uncertainty {
+    double own;     // of this end alone
+    double shared;  // of as many as share the line: what each of them adds, it adds once
+  };
+
+  Uncertainty uncertainty(const ScanEnd& end, double cosine, double of_line) const;
   Slope slope_at(const Pose2& pose, std::span<const ScanEnd> ends, const SurfaceMap& surfaces,
                  const LikelihoodField& field);
 

@@ -24,7 +24,6 @@ struct ScanMatchingParams {
   double min_turn = radians(0.5);       ///< ... or this turn [rad]
   int search_beams = 120;               ///< of a scan that the search looks at, about, evenly spread
   double beam_weight = 1.0;             ///< of the search: see CorrelativeSearch [nats]
-  double end_noise = 0.005;             ///< of a beam's end, on top of the lidar's own: what the map blurs [m]
   double min_support = 10.0;            ///< beams on surfaces that make a match ...
   double min_share = 0.3;               ///< ... if they are this share of those that end where the map knows anything
   double doubtful_share = 0.7;          ///< with a share below this, the wheels may have slipped: the whole window ...
