@@ -1,3 +1,5 @@
+#include <sched.h>
+
 #include <algorithm>
 #include <scrubjay/mission/background_observer.hpp>
 #include <utility>
@@ -11,6 +13,12 @@ void copy_cells(GridView<const LogOdds> from, const CellRect& cells, GridView<Lo
     const LogOdds* row = &from[{cells.low.x, y}];
     std::copy(row, row + (cells.high.x - cells.low.x), &to[{cells.low.x + shift.x, y + shift.y}]);
   }
+}
+
+/// Whoever wakes this thread keeps the processor (sched(7), SCHED_BATCH): it is the mission, in the midst of a tick.
+void never_push_ahead() {
+  const sched_param none{};
+  ::sched_setscheduler(0, SCHED_BATCH, &none);  // if that fails, it goes on as it was
 }
 
 GridGeometry grid_of(const CellRect& cells) {
@@ -89,6 +97,7 @@ void BackgroundObserver::rethrow() {
 }
 
 void BackgroundObserver::run(const std::stop_token& end) {
+  never_push_ahead();
   std::unique_lock lock(mutex_);
   while (!end.stop_requested() && changed_.wait(lock, end, [this] { return !waiting_.empty(); })) {
     Kept kept = std::move(waiting_.front());

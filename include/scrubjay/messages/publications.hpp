@@ -40,7 +40,8 @@ struct PublicationParams {
   bool simulated = false;               ///< /clock is published, and its time is everybody's
   double map_interval = 5.0;            ///< between two whole maps, unless it grew [s]
   double map_update_interval = 1.0;     ///< between two updates of what changed [s]
-  double rooms_interval = 10.0;         ///< between two maps that are split into rooms, at least [s]
+  double rooms_interval = 10.0;         ///< between two maps that are split into rooms, at least, as often as they have
+                                        ///< kRoomsSize cells, and once more [s]
   double path_interval = 10.0;          ///< of the path, which is told whole and grows [s]
   double slow_interval = 1.0;           ///< of battery, mode and diagnostics, unless they changed [s]
   LogQueue* log = nullptr;              ///< whose lines go to /rosout, too; must outlive it
@@ -53,6 +54,9 @@ struct PublicationParams {
 /// `odom` is dead reckoning, which never jumps; what the localizer knows better is between `map` and `odom` (REP-105).
 class Publications final : public Observer {
  public:
+  /// A map so large takes some 10 ms to split.
+  static constexpr std::size_t kRoomsSize = 250'000;  // [cells]
+
   /// The sinks must outlive it.
   Publications(const RobotModel& robot, PublicationParams params, std::vector<MessageSink*> sinks);
 
