@@ -87,8 +87,10 @@ void Publications::notify(const Snapshot& now) {
   publish_senses(now);
   publish_states(now);
   publish_map(now);
-  const auto size = static_cast<double>(now.map.geometry.size() / kRoomsSize);
-  if (rooms_pending_ && is_due(rooms_stamp_, (1.0 + size) * params_.rooms_interval)) publish_rooms(now.map);
+  const std::size_t times = 1 + now.map.geometry.size() / kRoomsSize;
+  if (rooms_pending_ && is_due(rooms_stamp_, static_cast<double>(times) * params_.rooms_interval)) {
+    publish_rooms(now.map);
+  }
   publish_ways(now);
   log_changes(now);
   publish_log();
