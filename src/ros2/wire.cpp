@@ -152,7 +152,6 @@ void Wire::begin_discovery_info(const ParticipantOptions& options) {
 void Wire::hear_discovery_info(std::span<const std::byte> bytes) {
   std::optional<DiscoveryInfo> info = decode_discovery_info(bytes, gid_size_);
   if (!info) {
-    ++ears_.strange_infos;
     const std::size_t other =
         gid_size(gid_size_ == gid_size(Distribution::Humble) ? Distribution::Jazzy : Distribution::Humble);
     info = decode_discovery_info(bytes, other);
@@ -162,6 +161,7 @@ void Wire::hear_discovery_info(std::span<const std::byte> bytes) {
                                       "16); ROS_DISTRO or --ros-distro tells whose to use",
                                       other, gid_size_)
                         : "somebody's ros_discovery_info can't be read");
+    ++ears_.strange_infos;  // what is counted has been told
   }
   if (info) ears_.graph.set_nodes(std::move(*info));
 }
