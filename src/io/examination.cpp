@@ -99,6 +99,14 @@ bool Examination::answers(oi::Model model) {
   return false;
 }
 
+/// What a robot is that answers as this model does: it may have been silent when it was asked for more.
+oi::Model Examination::richest(oi::Model model) {
+  for (const oi::Model richer : oi::kRichestFirst) {
+    if (richer == model || answers(richer)) return richer;
+  }
+  return model;
+}
+
 Contact Examination::find_robot() {
   report_.contact = Contact::Silent;
   heard_ = 0;
@@ -113,7 +121,7 @@ Contact Examination::find_robot() {
       continue;
     }
     report_.contact = Contact::Robot;
-    report_.model = model;
+    report_.model = richest(model);
     report_.quirks = {};
     if (!report_.sensors.has(PacketId::OiMode)) return report_.contact;
     // Start leads to Passive from wherever the robot was.

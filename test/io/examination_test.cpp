@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <io/examined_roomba.hpp>
 #include <scrubjay/io/examination.hpp>
 #include <scrubjay/oi/command_decoder.hpp>
@@ -123,6 +124,20 @@ TEST(ExaminationTest, FindsTheRobotBehindAWireThatLosesBytes) {
       EXPECT_LT(every, 160U);
     }
   }
+}
+
+TEST(ExaminationTest, ASilenceMakesNoPoorerModelOfARobot) {
+  // Of its first four answers none arrives: all that it was asked as a Create was in vain.
+  ExaminedRoomba robot(oi::Model::Create1);
+  TouchedChannel wire(robot.roomba);
+  const auto queries = [&] { return std::count(wire.sent.begin(), wire.sent.end(), std::uint8_t{142}); };
+  wire.from_robot = [&](std::vector<std::uint8_t>& bytes) {
+    if (queries() <= 4) bytes.clear();
+  };
+  Examination examination(wire, robot.clock());
+  ASSERT_EQ(examination.find_robot(), Contact::Robot);
+  EXPECT_EQ(examination.report().model, oi::Model::Create1);
+  EXPECT_GT(queries(), 5);
 }
 
 TEST(ExaminationTest, SaysThatNobodyAnswers) {

@@ -103,6 +103,7 @@ class Examination {
   void quieten();
   std::optional<double> ask(oi::SensorId id, oi::Model model);
   bool answers(oi::Model model);
+  oi::Model richest(oi::Model model);
   void hear(double seconds, const Look& look);
   void take_frame(double stamp, std::uint16_t rejected);
   void end_listening(double stamp);
