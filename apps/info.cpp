@@ -17,6 +17,7 @@
 #include <scrubjay/io/scenario_file.hpp>
 #include <scrubjay/io/trajectory_file.hpp>
 #include <scrubjay/io/world_reader.hpp>
+#include <scrubjay/world/score.hpp>
 
 #include "commands.hpp"
 
@@ -73,9 +74,10 @@ std::string describe_map(const std::filesystem::path& path) {
   std::string text =
       fmt::format("size: {} x {} cells of {} m\norigin: {}, {}\n", map.geometry.width, map.geometry.height,
                   map.geometry.resolution, map.geometry.origin.x(), map.geometry.origin.y());
-  return text +
-         fmt::format("free: {}\noccupied: {}\nunknown: {}\n", count([](Occupancy c) { return c >= 0 && c < 20; }),
-                     count([](Occupancy c) { return c >= 65; }), count([](Occupancy c) { return c == kUnknown; }));
+  return text + fmt::format("free: {}\noccupied: {}\nunknown: {}\n",
+                            count([](Occupancy c) { return c >= kFree && c <= kFreeUpTo; }),
+                            count([](Occupancy c) { return c >= kOccupiedFrom; }),
+                            count([](Occupancy c) { return c == kUnknown; }));
 }
 
 std::string describe_robot(const std::filesystem::path& path) {

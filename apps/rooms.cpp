@@ -10,6 +10,7 @@
 #include <scrubjay/io/map_file.hpp>
 #include <scrubjay/io/map_picture.hpp>
 #include <scrubjay/mapping/rooms.hpp>
+#include <scrubjay/world/score.hpp>
 
 #include "commands.hpp"
 
@@ -24,13 +25,11 @@ struct RoomsFlags {
 
 /// Evidence for what each cell is taken for, as in `trinary`.
 std::vector<LogOdds> evidence_of(const OccupancyGrid& map) {
-  constexpr Occupancy kFreeBelow = 20;
-  constexpr Occupancy kSolidFrom = 65;
   std::vector<LogOdds> cells;
   cells.reserve(map.cells.size());
   for (const Occupancy cell : map.cells) {
-    const bool free = cell >= kFree && cell < kFreeBelow;
-    cells.push_back(free ? LogOdds{-kMaxLogOdds} : cell >= kSolidFrom ? kMaxLogOdds : LogOdds{0});
+    const bool free = cell >= kFree && cell <= kFreeUpTo;
+    cells.push_back(free ? LogOdds{-kMaxLogOdds} : cell >= kOccupiedFrom ? kMaxLogOdds : LogOdds{0});
   }
   return cells;
 }

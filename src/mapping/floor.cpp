@@ -7,10 +7,6 @@
 namespace scrubjay {
 namespace {
 
-bool is_free(LogOdds cell) {
-  return cell <= kFreeLogOdds;
-}
-
 /// The smallest rectangle that holds all free cells.
 CellRect free_cells_of(GridView<const LogOdds> map) {
   CellRect rect;

@@ -9,6 +9,10 @@
 
 namespace scrubjay {
 
+inline bool is_free(LogOdds cell) {
+  return cell <= kFreeLogOdds;
+}
+
 /// A part of a map that holds all of its free cells, and around them a ring of cells that aren't.
 struct Floor {
   GridGeometry geometry{};            ///< of the part, in the map's frame

@@ -141,10 +141,6 @@ std::vector<RoomLabel> numbers_of(const BasinGraph& graph) {
   return numbers;
 }
 
-bool is_free(LogOdds cell) {
-  return cell <= kFreeLogOdds;
-}
-
 /// What is summed up over a room's cells, and the clearance of the free ones.
 struct Tally {
   double x = 0.0;

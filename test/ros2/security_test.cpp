@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <scrubjay/ros2/bridge.hpp>
+
 #include "ros2/test_keystore.hpp"
 #include "ros2/wire_fixture.hpp"
 
@@ -58,6 +60,31 @@ TEST_F(SecurityTest, TheSecureHearOneAnotherAndTheInsecureHearAndSayNothing) {
   EXPECT_EQ(robot.writer.readers(), 1);
   EXPECT_EQ(robot.reader.writers(), 1);
   EXPECT_EQ(insecure.writer.readers(), 1);
+}
+
+TEST_F(SecurityTest, TheSecureDriveARobotAndTheInsecureDoNot) {
+  Commands commands{{0.5, 4.0}};
+  Bridge robot(secured(keystore_, "/robot"), kTopics);
+  robot.listen(commands);
+  Participant insecure(options());
+  Participant driver(secured(keystore_, "/driver"));
+  Writer& forged = insecure.write("cmd_vel", kTypeOf<Twist>);
+  Writer& sound = driver.write("cmd_vel", kTypeOf<Twist>);
+  Inbox overheard;
+  insecure.read("odom", kTypeOf<Odometry>, {}, overheard.receive());
+  Inbox heard;
+  driver.read("odom", kTypeOf<Odometry>, {}, heard.receive());
+  const auto odometry = std::make_shared<const Bytes>(encode(Odometry{}));
+  ASSERT_TRUE(eventually([&] {
+    forged.publish(encode(Twist{.linear = {0.4, 0.0, 0.0}, .angular = {}}));
+    sound.publish(encode(Twist{.linear = {0.25, 0.0, 0.0}, .angular = {}}));
+    robot.publish(kOdomTopic, 0, odometry);
+    const std::optional<Motion> told = commands.wishes().velocity;
+    EXPECT_EQ(told.value_or(Motion{0.25, 0.0}), (Motion{0.25, 0.0}));
+    return told && heard.size() > 10;
+  }));
+  EXPECT_EQ(forged.readers(), 0);
+  EXPECT_THAT(overheard.all(), IsEmpty());
 }
 
 TEST_F(SecurityTest, ThoseOfAnotherAuthorityAreStrangers) {
