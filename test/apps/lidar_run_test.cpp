@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 
 /// Explores with a TurtleBot3 Burger, and gives what it printed.
-Outcome explored(const TemporaryFolder& folder, const std::string& world, const Words& more = {}) {
+Outcome explored_world(const TemporaryFolder& folder, const std::string& world, const Words& more = {}) {
   Words words{"explore", own_world(world), "--model", "turtlebot3-burger", "--out", "out"};
   words.insert(words.end(), more.begin(), more.end());
   Outcome outcome = scrubjay_in(folder.path(), words);
@@ -22,7 +22,7 @@ Outcome explored(const TemporaryFolder& folder, const std::string& world, const 
 
 TEST(LidarRunTest, ExploresAFlatToItsEnd) {
   const TemporaryFolder folder;
-  const Outcome outcome = explored(folder, "apartment", {"--noise", "hard-floor"});
+  const Outcome outcome = explored_world(folder, "apartment", {"--noise", "hard-floor"});
   EXPECT_THAT(outcome.out, HasSubstr("done after"));
   EXPECT_EQ(broken_result(folder / "out"), "");
   const nlohmann::json metrics = metrics_of(folder / "out");
@@ -38,9 +38,9 @@ TEST(LidarRunTest, ExploresAFlatToItsEnd) {
 TEST(LidarRunTest, RepeatsARunToTheByte) {
   const TemporaryFolder folder;
   const Words flags{"--noise", "hard-floor", "--motion-distortion", "--max-time", "60"};
-  explored(folder, "room", flags);
+  explored_world(folder, "room", flags);
   const Contents first = contents_of(folder / "out");
-  explored(folder, "room", flags);
+  explored_world(folder, "room", flags);
   EXPECT_EQ(repeatable(contents_of(folder / "out")), repeatable(first));
   const Outcome again = scrubjay_in(folder.path(), {"explore", "--scenario", "out/scenario.yaml", "--out", "again"});
   EXPECT_EQ(again.code, 0) << again.err;
@@ -49,7 +49,7 @@ TEST(LidarRunTest, RepeatsARunToTheByte) {
 
 TEST(LidarRunTest, DrivesHomeWhenAsked) {
   const TemporaryFolder folder;
-  explored(folder, "room", {"--return-home"});
+  explored_world(folder, "room", {"--return-home"});
   const nlohmann::json pose = metrics_of(folder / "out").at("pose");
   EXPECT_NEAR(pose.at("x").get<double>(), 0.0, 0.1);
   EXPECT_NEAR(pose.at("y").get<double>(), 0.0, 0.1);
@@ -57,7 +57,7 @@ TEST(LidarRunTest, DrivesHomeWhenAsked) {
 
 TEST(LidarRunTest, StaysWithinBoundsAndTellsWhatIsOutside) {
   const TemporaryFolder folder;
-  const Outcome outcome = explored(folder, "family_house", {"--within", "-1.5,-1.5,1.5,1.5"});
+  const Outcome outcome = explored_world(folder, "family_house", {"--within", "-1.5,-1.5,1.5,1.5"});
   EXPECT_THAT(outcome.out, HasSubstr("out of bounds"));
   const nlohmann::json metrics = metrics_of(folder / "out");
   EXPECT_EQ(metrics.at("ended"), "done");
@@ -69,15 +69,15 @@ TEST(LidarRunTest, StaysWithinBoundsAndTellsWhatIsOutside) {
 
 TEST(LidarRunTest, WritesAnOctreeToo) {
   const TemporaryFolder folder;
-  explored(folder, "room", {"--max-time", "20", "--octomap", "map.bt", "--height", "0.5"});
+  explored_world(folder, "room", {"--max-time", "20", "--octomap", "map.bt", "--height", "0.5"});
   EXPECT_THAT(contents_of(folder.path()).at("map.bt"), HasSubstr("# Octomap OcTree binary file"));
 }
 
 TEST(LidarRunTest, MapsOnlyTheConeThatIsAskedFor) {
   const TemporaryFolder folder;
-  explored(folder, "apartment", {"--strategy", "wander", "--max-time", "1"});
+  explored_world(folder, "apartment", {"--strategy", "wander", "--max-time", "1"});
   const double all = metrics_of(folder / "out").at("coverage");
-  explored(folder, "apartment", {"--strategy", "wander", "--max-time", "1", "--forward-cone", "10"});
+  explored_world(folder, "apartment", {"--strategy", "wander", "--max-time", "1", "--forward-cone", "10"});
   const double cone = metrics_of(folder / "out").at("coverage");
   EXPECT_GT(cone, 0.0);
   EXPECT_LT(cone, 0.3 * all);

@@ -13,15 +13,15 @@ namespace {
 using testing::HasSubstr;
 
 /// A way of exploring.
-struct Way {
+struct ReplayedWay {
   std::string strategy;
   std::string noise;
   std::string model;
 };
 
-class ReplayTest : public testing::TestWithParam<Way> {
+class ReplayTest : public testing::TestWithParam<ReplayedWay> {
  protected:
-  void record(const Way& way, const std::string& time) const {
+  void record(const ReplayedWay& way, const std::string& time) const {
     const Outcome outcome = scrubjay_in(
         folder_.path(), {"explore", own_world("cluttered_flat"), "--strategy", way.strategy, "--noise", way.noise,
                          "--model", way.model, "--max-time", time, "--out", "live", "--record", "run.oilog"});
@@ -52,11 +52,11 @@ TEST_P(ReplayTest, MapsTheSameToTheByte) {
 
 INSTANTIATE_TEST_SUITE_P(
     Ways, ReplayTest,
-    testing::Values(Way{"random-2", "none", "roomba-600"}, Way{"random-3", "hard-floor", "create-1"},
-                    Way{"random-look", "carpet", "create-2"}, Way{"random-aware", "uncalibrated", "roomba-600"},
-                    Way{"reactive", "carpet", "create-1"}, Way{"edge-follow", "none", "roomba-600"},
-                    Way{"edge-follow", "hard-floor", "create-2"}, Way{"edge-follow", "carpet", "create-1"}),
-    [](const auto& way) { return "Way" + std::to_string(way.index); });
+    testing::Values(ReplayedWay{"random-2", "none", "roomba-600"}, ReplayedWay{"random-3", "hard-floor", "create-1"},
+                    ReplayedWay{"random-look", "carpet", "create-2"}, ReplayedWay{"random-aware", "uncalibrated", "roomba-600"},
+                    ReplayedWay{"reactive", "carpet", "create-1"}, ReplayedWay{"edge-follow", "none", "roomba-600"},
+                    ReplayedWay{"edge-follow", "hard-floor", "create-2"}, ReplayedWay{"edge-follow", "carpet", "create-1"}),
+    [](const auto& way) { return "ReplayedWay" + std::to_string(way.index); });
 
 using CutRecordingTest = ReplayTest;
 

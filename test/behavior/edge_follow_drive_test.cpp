@@ -22,8 +22,8 @@ World closed_room(double width, double height, const Pose2& start) {
 }
 
 /// `edge-follow` on a perfect robot in a small world.
-struct Drive {
-  explicit Drive(World scenery, const EdgeFollowParams& params = {}, const sim::RobotSpec& robot_spec = {},
+struct EdgeDrive {
+  explicit EdgeDrive(World scenery, const EdgeFollowParams& params = {}, const sim::RobotSpec& robot_spec = {},
                  std::uint64_t seed = 1)
       : world(std::move(scenery)),
         index(solid_segments(world)),
@@ -96,7 +96,7 @@ TEST(EdgeFollowDriveTest, FollowsARoomsWallsOnThePreferredSide) {
   for (const Side side : {Side::Left, Side::Right}) {
     EdgeFollowParams params;
     params.preferred_side = side;
-    Drive drive(closed_room(2.0, 1.6, {1.0, 0.8, 0.0}), params);
+    EdgeDrive drive(closed_room(2.0, 1.6, {1.0, 0.8, 0.0}), params);
     TurnCount turns;
     int following = 0;
     double worst = 0.0;
@@ -121,7 +121,7 @@ TEST(EdgeFollowDriveTest, RoundsInsideAndOutsideCorners) {
   World world;
   world.walls = {{{{0.0, 0.0}, {2.4, 0.0}, {2.4, 1.0}, {1.2, 1.0}, {1.2, 2.2}, {0.0, 2.2}, {0.0, 0.0}}}};
   world.start = Pose2{0.6, 0.5, 0.3};
-  Drive drive(std::move(world));
+  EdgeDrive drive(std::move(world));
   drive.run(200.0);
   EXPECT_GE(drive.behavior.loops_closed(), 1);
   EXPECT_GE(drive.score().wall_recall, 0.97);
@@ -133,7 +133,7 @@ TEST(EdgeFollowDriveTest, PassesANarrowPassage) {
   World world = closed_room(3.0, 1.4, {0.7, 0.7, 1.0});
   world.furniture = {{"south", {box({1.5, 0.245}, {0.2, 0.49}, 0.0)}},
                      {"north", {box({1.5, 1.155}, {0.2, 0.49}, 0.0)}}};
-  Drive drive(std::move(world));
+  EdgeDrive drive(std::move(world));
   double farthest = 0.0;
   drive.run(400.0, [&](const Snapshot&) { farthest = std::max(farthest, drive.pose().x); });
   EXPECT_GT(farthest, 2.4);
@@ -143,7 +143,7 @@ TEST(EdgeFollowDriveTest, PassesANarrowPassage) {
 TEST(EdgeFollowDriveTest, OrbitsATableLegAndMapsIt) {
   World world = closed_room(3.0, 3.0, {0.8, 1.5, 0.0});
   world.furniture = {{"leg", {disc({1.5, 1.52}, 0.02)}}};
-  Drive drive(std::move(world));
+  EdgeDrive drive(std::move(world));
   double nearest_behind = 10.0;
   drive.run(120.0, [&](const Snapshot&) {
     if (drive.behavior.loops_closed() > 0) return;
@@ -158,7 +158,7 @@ TEST(EdgeFollowDriveTest, OrbitsATableLegAndMapsIt) {
 TEST(EdgeFollowDriveTest, ClosesTheRoomThenTheIslandThenEnds) {
   World world = closed_room(2.8, 2.4, {0.5, 0.5, 0.0});
   world.furniture = {{"island", {box({1.4, 1.2}, {0.6, 0.4}, 0.0)}}};
-  Drive drive(std::move(world));
+  EdgeDrive drive(std::move(world));
   double first_loop = 0.0;
   double second_loop = 0.0;
   const Report report = drive.run(3600.0, [&](const Snapshot& now) {
@@ -177,7 +177,7 @@ TEST(EdgeFollowDriveTest, ClosesTheRoomThenTheIslandThenEnds) {
 TEST(EdgeFollowDriveTest, FollowsACliffWithoutDroppingAWheel) {
   World world = closed_room(3.0, 2.4, {0.6, 1.2, 0.0});
   world.cliffs = {box({2.5, 1.2}, {1.0, 1.2}, 0.0)};
-  Drive drive(std::move(world));
+  EdgeDrive drive(std::move(world));
   int over_cliff = 0;
   bool dropped = false;
   drive.run(400.0, [&](const Snapshot& now) {
@@ -192,7 +192,7 @@ TEST(EdgeFollowDriveTest, FollowsACliffWithoutDroppingAWheel) {
 TEST(EdgeFollowDriveTest, DoesNotCrossAVirtualWall) {
   World world = closed_room(4.0, 1.6, {0.8, 0.8, 0.1});
   world.virtual_walls = {{{2.5, 0.02, kPi / 2.0}, 1.58, 0.05}};
-  Drive drive(std::move(world));
+  EdgeDrive drive(std::move(world));
   bool seen = false;
   double farthest = 0.0;
   const Report report = drive.run(2400.0, [&](const Snapshot& now) {
@@ -208,7 +208,7 @@ TEST(EdgeFollowDriveTest, NeverBacksAgainstAWallForEver) {
   // Between a fence and a wall behind it there is little room to back off.
   World world = closed_room(1.6, 1.6, {0.5, 0.8, 0.0});
   world.virtual_walls = {{{0.9, 0.02, kPi / 2.0}, 1.58, 0.1}};
-  Drive drive(std::move(world));
+  EdgeDrive drive(std::move(world));
   double backing_since = 0.0;
   double longest = 0.0;
   drive.run(600.0, [&](const Snapshot& now) {
@@ -223,7 +223,7 @@ TEST(EdgeFollowDriveTest, WithoutLightSensorsItBumpsItsWayAroundARoom) {
   sim::RobotSpec blind;
   blind.model.protocol = oi::Model::Create1;
   blind.model.has_light_sensors = false;
-  Drive drive(closed_room(2.0, 1.6, {1.0, 0.8, 0.2}), {}, blind);
+  EdgeDrive drive(closed_room(2.0, 1.6, {1.0, 0.8, 0.2}), {}, blind);
   double west = 2.0, east = 0.0, south = 1.6, north = 0.0;
   const Report report = drive.run(600.0, [&](const Snapshot&) {
     west = std::min(west, drive.pose().x);
@@ -242,7 +242,7 @@ TEST(EdgeFollowDriveTest, TheSameSeedDrivesTheSameWay) {
   world.furniture = {{"island", {box({1.4, 1.2}, {0.6, 0.4}, 0.0)}}};
   std::vector<StampedPose> first;
   for (const std::uint64_t seed : {1u, 1u, 2u}) {
-    Drive drive(world, {}, {}, seed);
+    EdgeDrive drive(world, {}, {}, seed);
     drive.run(400.0);
     if (first.empty()) first = drive.track.points();
     EXPECT_EQ(drive.track.points() == first, seed == 1);

@@ -7,8 +7,8 @@ namespace scrubjay {
 namespace {
 
 // A map from rows of text, the highest first: '.' free, '#' occupied, '?' unknown but rather occupied, ' ' unknown.
-struct DrawnMap {
-  explicit DrawnMap(const std::vector<std::string>& rows) {
+struct CutMap {
+  explicit CutMap(const std::vector<std::string>& rows) {
     geometry.width = static_cast<std::int32_t>(rows.front().size());
     geometry.height = static_cast<std::int32_t>(rows.size());
     for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
@@ -25,7 +25,7 @@ struct DrawnMap {
 };
 
 TEST(FrontierPieceTest, PiecesHoldAllCellsOnceAndAreNoLongerThanAsked) {
-  const DrawnMap map(std::vector<std::string>(40, std::string(40, '.')));  // the frontier runs around the border
+  const CutMap map(std::vector<std::string>(40, std::string(40, '.')));  // the frontier runs around the border
   const Frontier& frontier = map.frontiers.frontiers().front();
   std::size_t count = 0;
   for (const FrontierPiece& piece : cut(frontier, 10)) {
@@ -40,7 +40,7 @@ TEST(FrontierPieceTest, PiecesHoldAllCellsOnceAndAreNoLongerThanAsked) {
 }
 
 TEST(FrontierPieceTest, ItsMiddleIsInTheMiddle) {
-  const DrawnMap map({
+  const CutMap map({
       "#         #",  //
       "#.........#",  //
       "###########",  //
@@ -49,7 +49,7 @@ TEST(FrontierPieceTest, ItsMiddleIsInTheMiddle) {
 }
 
 TEST(FrontierPieceTest, CountsTheUnknownCellsBehindIt) {
-  const DrawnMap map({
+  const CutMap map({
       "#######",  //
       "#..#  #",  //
       "#..   #",  //
@@ -61,7 +61,7 @@ TEST(FrontierPieceTest, CountsTheUnknownCellsBehindIt) {
 }
 
 TEST(FrontierPieceTest, WhatIsRatherOccupiedHidesTheUnknownBehind) {
-  const DrawnMap map({
+  const CutMap map({
       "#######",  //
       "#..?  #",  //
       "#..?  #",  //
@@ -72,7 +72,7 @@ TEST(FrontierPieceTest, WhatIsRatherOccupiedHidesTheUnknownBehind) {
 }
 
 TEST(FrontierPieceTest, BeyondTheMapTheUnknownIsEndless) {
-  const DrawnMap map({
+  const CutMap map({
       "###",  //
       "#..",  //
       "###",  //

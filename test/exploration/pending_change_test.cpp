@@ -5,7 +5,7 @@
 namespace scrubjay {
 namespace {
 
-GridGeometry map_at(double x, double y, std::int32_t width, std::int32_t height) {
+GridGeometry grown_to(double x, double y, std::int32_t width, std::int32_t height) {
   GridGeometry map;
   map.origin = {x, y};
   map.width = width;
@@ -15,14 +15,14 @@ GridGeometry map_at(double x, double y, std::int32_t width, std::int32_t height)
 
 TEST(PendingChangeTest, AllIsNewAtFirst) {
   PendingChange pending;
-  pending.add(map_at(0.0, 0.0, 9, 4), {});
+  pending.add(grown_to(0.0, 0.0, 9, 4), {});
   EXPECT_EQ(pending.take(), (CellRect{{0, 0}, {9, 4}}));
   EXPECT_TRUE(pending.take().empty());
 }
 
 TEST(PendingChangeTest, GathersWhatChangedSinceTheLastLook) {
   PendingChange pending;
-  const GridGeometry map = map_at(0.0, 0.0, 20, 20);
+  const GridGeometry map = grown_to(0.0, 0.0, 20, 20);
   pending.add(map, {});
   pending.take();
   pending.add(map, {{2, 3}, {4, 5}});
@@ -33,10 +33,10 @@ TEST(PendingChangeTest, GathersWhatChangedSinceTheLastLook) {
 
 TEST(PendingChangeTest, WhatChangedMovesWithTheCellsOfAMapThatGrows) {
   PendingChange pending;
-  pending.add(map_at(0.0, 0.0, 20, 20), {});
+  pending.add(grown_to(0.0, 0.0, 20, 20), {});
   pending.take();
-  pending.add(map_at(0.0, 0.0, 20, 20), {{2, 3}, {4, 5}});
-  pending.add(map_at(-0.5, -0.25, 40, 40), {});
+  pending.add(grown_to(0.0, 0.0, 20, 20), {{2, 3}, {4, 5}});
+  pending.add(grown_to(-0.5, -0.25, 40, 40), {});
   EXPECT_EQ(pending.take(), (CellRect{{12, 8}, {14, 10}}));
 }
 

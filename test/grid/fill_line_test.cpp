@@ -10,39 +10,39 @@ namespace scrubjay {
 namespace {
 
 /// A grid with a quarter of a metre a cell, so that borders and points on them have no rounding.
-const GridGeometry kGrid{.resolution = 0.25, .origin = {0.0, 0.0}, .width = 60, .height = 40};
+const GridGeometry kLineGrid{.resolution = 0.25, .origin = {0.0, 0.0}, .width = 60, .height = 40};
 
 Point2 in_cells(const Point2& p) {
-  return p / kGrid.resolution;
+  return p / kLineGrid.resolution;
 }
 
 std::vector<int> filled(const Point2& from, const Point2& to) {
-  std::vector<int> cells(kGrid.size());
-  fill_line(line_walk(kGrid.width, in_cells(from), in_cells(to)), cells.data(), 7);
+  std::vector<int> cells(kLineGrid.size());
+  fill_line(line_walk(kLineGrid.width, in_cells(from), in_cells(to)), cells.data(), 7);
   return cells;
 }
 
 std::vector<int> visited(const Point2& from, const Point2& to) {
-  std::vector<int> cells(kGrid.size());
-  visit_line(kGrid, from, to, [&](CellIndex c) { cells[kGrid.index(c)] = 7; });
+  std::vector<int> cells(kLineGrid.size());
+  visit_line(kLineGrid, from, to, [&](CellIndex c) { cells[kLineGrid.index(c)] = 7; });
   return cells;
 }
 
-Point2 random_point(Random& random) {
+Point2 point_within(Random& random) {
   return {random.uniform(0.0, 15.0), random.uniform(0.0, 10.0)};
 }
 
 std::size_t place_of(const Point2& p) {
-  return kGrid.index(kGrid.cell_at(p));
+  return kLineGrid.index(kLineGrid.cell_at(p));
 }
 
 TEST(FillLineTest, FillsExactlyTheCellsThatTheLinePasses) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Random random(seed);
     for (int run = 0; run < 500; ++run) {
-      const Point2 from = random_point(random);
+      const Point2 from = point_within(random);
       // Some are short, so that all directions and both ends within a cell or two are tried, too.
-      Point2 to = random_point(random);
+      Point2 to = point_within(random);
       if (run % 2 == 0) to = (from + 0.05 * (to - from)).eval();
       ASSERT_EQ(filled(from, to), visited(from, to)) << from.transpose() << " to " << to.transpose();
     }
@@ -52,8 +52,8 @@ TEST(FillLineTest, FillsExactlyTheCellsThatTheLinePasses) {
 TEST(FillLineTest, FillsLinesAlongTheAxes) {
   Random random(1);
   for (int run = 0; run < 2000; ++run) {
-    const Point2 from = random_point(random);
-    Point2 to = random_point(random);
+    const Point2 from = point_within(random);
+    Point2 to = point_within(random);
     to[run % 2] = from[run % 2];
     ASSERT_EQ(filled(from, to), visited(from, to)) << from.transpose() << " to " << to.transpose();
   }
@@ -64,8 +64,8 @@ bool touches(const Point2& from, const Point2& to, CellIndex c) {
   double enter = 0.0;
   double leave = 1.0;
   for (int axis = 0; axis < 2; ++axis) {
-    const double half = 0.5 * kGrid.resolution + 1e-9;
-    const double center = kGrid.center(c)[axis] - from[axis];
+    const double half = 0.5 * kLineGrid.resolution + 1e-9;
+    const double center = kLineGrid.center(c)[axis] - from[axis];
     const double way = to[axis] - from[axis];
     if (way == 0.0 && std::fabs(center) > half) return false;
     if (way == 0.0) continue;
@@ -83,20 +83,20 @@ TEST(FillLineTest, GoesThroughCornersByOneOfTheNeighbours) {
     return p;
   };
   for (int run = 0; run < 4000; ++run) {
-    const Point2 from = snapped(random_point(random), random.below(4));
-    Point2 to = snapped(random_point(random), random.below(4));
+    const Point2 from = snapped(point_within(random), random.below(4));
+    Point2 to = snapped(point_within(random), random.below(4));
     if (run % 4 == 0) to = from + std::floor(random.uniform(0.0, 20.0)) * Point2(0.25, 0.25);  // diagonal
-    if (!kGrid.contains(kGrid.cell_at(to))) continue;
+    if (!kLineGrid.contains(kLineGrid.cell_at(to))) continue;
     const std::vector<int> cells = filled(from, to);
-    const CellIndex first = kGrid.cell_at(from);
-    const CellIndex last = kGrid.cell_at(to);
+    const CellIndex first = kLineGrid.cell_at(from);
+    const CellIndex last = kLineGrid.cell_at(to);
     ASSERT_EQ(std::count(cells.begin(), cells.end(), 7), std::abs(last.x - first.x) + std::abs(last.y - first.y) + 1)
         << from.transpose() << " to " << to.transpose();
-    ASSERT_EQ(cells[kGrid.index(first)], 7);
-    ASSERT_EQ(cells[kGrid.index(last)], 7);
-    for (std::int32_t y = 0; y < kGrid.height; ++y) {
-      for (std::int32_t x = 0; x < kGrid.width; ++x) {
-        ASSERT_TRUE(cells[kGrid.index({x, y})] == 0 || touches(from, to, {x, y}))
+    ASSERT_EQ(cells[kLineGrid.index(first)], 7);
+    ASSERT_EQ(cells[kLineGrid.index(last)], 7);
+    for (std::int32_t y = 0; y < kLineGrid.height; ++y) {
+      for (std::int32_t x = 0; x < kLineGrid.width; ++x) {
+        ASSERT_TRUE(cells[kLineGrid.index({x, y})] == 0 || touches(from, to, {x, y}))
             << from.transpose() << " to " << to.transpose() << " sets " << x << ", " << y;
       }
     }
@@ -114,9 +114,9 @@ TEST(FillLineTest, IsOneCellWhereItHasNoLength) {
 TEST(FillLineTest, EndsWhereTheWalkSaysThatItEnds) {
   Random random(3);
   for (int run = 0; run < 1000; ++run) {
-    const Point2 from = random_point(random);
-    const Point2 to = random_point(random);
-    const LineWalk walk = line_walk(kGrid.width, in_cells(from), in_cells(to));
+    const Point2 from = point_within(random);
+    const Point2 to = point_within(random);
+    const LineWalk walk = line_walk(kLineGrid.width, in_cells(from), in_cells(to));
     EXPECT_EQ(static_cast<std::size_t>(walk.start), place_of(from));
     EXPECT_EQ(static_cast<std::size_t>(walk.end()), place_of(to));
   }

@@ -30,7 +30,7 @@ CellSet as_set(const Cells& cells) {
   return set;
 }
 
-Point2 random_point(Random& random) {
+Point2 point_around(Random& random) {
   return {random.uniform(-0.6, 1.6), random.uniform(-0.6, 1.2)};
 }
 
@@ -53,8 +53,8 @@ bool passes(const Point2& from, const Point2& to, CellIndex c, double margin) {
 TEST(VisitLineTest, PassesExactlyTheCellsThatTheLinePasses) {
   Random random(1);
   for (int run = 0; run < 1000; ++run) {
-    const Point2 from = random_point(random);
-    const Point2 to = random_point(random);
+    const Point2 from = point_around(random);
+    const Point2 to = point_around(random);
     const CellSet visited = as_set(line(kGrid, from, to));
     for (std::int32_t y = -10; y < 30; ++y) {
       for (std::int32_t x = -10; x < 45; ++x) {
@@ -73,8 +73,8 @@ TEST(VisitLineTest, PassesExactlyTheCellsThatTheLinePasses) {
 TEST(VisitLineTest, GoesFromEndToEndThroughSidesAndNeverTwice) {
   Random random(2);
   for (int run = 0; run < 2000; ++run) {
-    Point2 from = random_point(random);
-    Point2 to = random_point(random);
+    Point2 from = point_around(random);
+    Point2 to = point_around(random);
     if (run % 4 == 1) to.x() = from.x();
     if (run % 4 == 2) to.y() = from.y();
     const Cells cells = line(kGrid, from, to);
@@ -90,8 +90,8 @@ TEST(VisitLineTest, GoesFromEndToEndThroughSidesAndNeverTwice) {
 TEST(VisitLineTest, PassesTheSameCellsBackwards) {
   Random random(3);
   for (int run = 0; run < 2000; ++run) {
-    const Point2 from = random_point(random);
-    const Point2 to = random_point(random);
+    const Point2 from = point_around(random);
+    const Point2 to = point_around(random);
     Cells back = line(kGrid, to, from);
     std::reverse(back.begin(), back.end());
     ASSERT_EQ(line(kGrid, from, to), back);
@@ -120,7 +120,7 @@ TEST(VisitLineTest, IsOneCellWhereItHasNoLength) {
 TEST(VisitDiscTest, VisitsExactlyTheCellsWhoseCentreLiesWithin) {
   Random random(4);
   for (int run = 0; run < 500; ++run) {
-    const Point2 center = random_point(random);
+    const Point2 center = point_around(random);
     const double radius = random.uniform(0.0, 0.7);
     Cells visited;
     visit_disc(kGrid, center, radius, [&](CellIndex c) { visited.push_back(c); });
@@ -146,7 +146,7 @@ TEST(VisitDiscTest, VisitsNothingOutsideOfTheGrid) {
 TEST(VisitArcTest, VisitsCellsOnTheArcInOrderAndNoneTwice) {
   Random random(5);
   for (int run = 0; run < 20000; ++run) {
-    const Point2 center = random_point(random);
+    const Point2 center = point_around(random);
     const double radius = random.uniform(0.1, 0.5);
     const double from = random.uniform(-kPi, kPi);
     const double to = from + random.uniform(0.0, 1.5 * kPi);
@@ -167,7 +167,7 @@ TEST(VisitArcTest, VisitsCellsOnTheArcInOrderAndNoneTwice) {
 TEST(VisitArcTest, LeavesOutOnlyCellsThatTheArcGrazes) {
   Random random(6);
   for (int run = 0; run < 500; ++run) {
-    const Point2 center = random_point(random);
+    const Point2 center = point_around(random);
     const double from = random.uniform(-kPi, kPi);
     const double to = from + random.uniform(0.1, 3.0);
     CellSet visited;

@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 CarmenLog parse(const std::string& text) {
-  return parse_carmen_log(bytes_of(text), "a.log");
+  return parse_carmen_log(unpacked(text), "a.log");
 }
 
 std::string complaint(const std::string& text) {

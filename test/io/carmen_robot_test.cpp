@@ -13,7 +13,7 @@ const char* const kLog =
     "FLASER 3 4 5 6 9 9 0 1 0 0 2 host 2\n";
 
 TEST(CarmenRobotTest, GivesAFrameForEachRecord) {
-  const CarmenLog log = parse_carmen_log(bytes_of(kLog), "a.log");
+  const CarmenLog log = parse_carmen_log(unpacked(kLog), "a.log");
   CarmenRobot robot(log);
   const auto first = robot.next();
   ASSERT_TRUE(first && first->scan && first->odometry);
@@ -37,7 +37,7 @@ TEST(CarmenRobotTest, GivesAFrameForEachRecord) {
 }
 
 TEST(CarmenRobotTest, HasALidarAndNoBumper) {
-  const CarmenLog log = parse_carmen_log(bytes_of(kLog), "a.log");
+  const CarmenLog log = parse_carmen_log(unpacked(kLog), "a.log");
   const RobotModel model = robot_of(log, 0.3);
   EXPECT_FALSE(model.open_interface);
   EXPECT_FALSE(model.has_light_sensors);

@@ -19,7 +19,7 @@ Image decode(const std::string& file) {
   return decode_image({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()}, "test.pgm");
 }
 
-std::string error_of(const std::string& file) {
+std::string image_error(const std::string& file) {
   return message_of([&] { decode(file); });
 }
 
@@ -44,8 +44,8 @@ TEST(ImageTest, ScalesOtherMaximaToTheWholeRange) {
 TEST(ImageTest, TellsFormatsApartByContentNotByName) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_image(folder.write("map.png", "P2 1 1 255 7")), (Image{1, 1, 1, {7}}));
-  EXPECT_EQ(error_of("GIF89a"), "test.pgm: neither a PGM nor a PNG image");
-  EXPECT_EQ(error_of(""), "test.pgm: neither a PGM nor a PNG image");
+  EXPECT_EQ(image_error("GIF89a"), "test.pgm: neither a PGM nor a PNG image");
+  EXPECT_EQ(image_error(""), "test.pgm: neither a PGM nor a PNG image");
 }
 
 struct BrokenPgm {
@@ -56,7 +56,7 @@ struct BrokenPgm {
 class BrokenPgmTest : public testing::TestWithParam<BrokenPgm> {};
 
 TEST_P(BrokenPgmTest, IsRefusedWithItsReason) {
-  EXPECT_THAT(error_of(GetParam().file),
+  EXPECT_THAT(image_error(GetParam().file),
               AllOf(HasSubstr("test.pgm: "), HasSubstr(GetParam().complaint), Not(HasSubstr("\n"))));
 }
 
@@ -95,15 +95,15 @@ TEST(ImageTest, RefusesAPngThatWasCutAnywhere) {
   const std::string whole = content_of(kImages / "indexed8.png");
   constexpr std::size_t kEndChunk = 12;  // without its last chunk a PNG is broken as well
   for (std::size_t size = 8; size < whole.size(); ++size) {
-    EXPECT_THAT(error_of(whole.substr(0, size)), HasSubstr("test.pgm: broken PNG: ")) << size;
+    EXPECT_THAT(image_error(whole.substr(0, size)), HasSubstr("test.pgm: broken PNG: ")) << size;
   }
-  EXPECT_NE(error_of(whole.substr(0, whole.size() - kEndChunk)), "");
+  EXPECT_NE(image_error(whole.substr(0, whole.size() - kEndChunk)), "");
 }
 
 TEST(ImageTest, RefusesAPngThatClaimsAllMemory) {
   std::string huge = content_of(kImages / "grey8.png");
   huge.replace(16, 8, std::string("\x7f\xff\xff\xff\x7f\xff\xff\xff", 8));
-  EXPECT_NE(error_of(huge), "");
+  EXPECT_NE(image_error(huge), "");
 }
 
 TEST(ImageTest, LeavesGreyExactlyAsItIs) {

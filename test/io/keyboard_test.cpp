@@ -25,12 +25,12 @@ std::vector<Key> decode(std::initializer_list<std::string_view> chunks, bool pau
   return keys;
 }
 
-Key letter(char character) {
+Key typed(char character) {
   return {Kind::Character, character};
 }
 
 TEST(KeyDecoderTest, GivesCharactersAsTheyAre) {
-  EXPECT_EQ(decode({"w A+\x04"}), (std::vector<Key>{letter('w'), letter(' '), letter('A'), letter('+'), letter(4)}));
+  EXPECT_EQ(decode({"w A+\x04"}), (std::vector<Key>{typed('w'), typed(' '), typed('A'), typed('+'), typed(4)}));
 }
 
 TEST(KeyDecoderTest, KnowsArrowsOfBothKinds) {
@@ -41,7 +41,7 @@ TEST(KeyDecoderTest, KnowsArrowsOfBothKinds) {
 }
 
 TEST(KeyDecoderTest, PutsSequencesTogetherFromPieces) {
-  EXPECT_EQ(decode({"\033", "[", "A", "w"}), (std::vector<Key>{{Kind::Up, 0}, letter('w')}));
+  EXPECT_EQ(decode({"\033", "[", "A", "w"}), (std::vector<Key>{{Kind::Up, 0}, typed('w')}));
 }
 
 TEST(KeyDecoderTest, NeverTakesALetterOutOfASequence) {
@@ -57,7 +57,7 @@ TEST(KeyDecoderTest, AnEscapeAloneIsAKeyOnceNothingFollows) {
   EXPECT_TRUE(decode({"\033"}).empty());
   EXPECT_EQ(decode({"\033"}, true), (std::vector<Key>{{Kind::Escape, 0}}));
   EXPECT_EQ(decode({"\033\033"}, true), (std::vector<Key>{{Kind::Escape, 0}, {Kind::Escape, 0}}));
-  EXPECT_EQ(decode({"w"}, true), (std::vector<Key>{letter('w')}));
+  EXPECT_EQ(decode({"w"}, true), (std::vector<Key>{typed('w')}));
 }
 
 /// A terminal: what is written to `user` is typed.
@@ -103,14 +103,14 @@ TEST_F(KeyboardTest, GivesKeysWithoutEnterAndShowsNone) {
   Keyboard keyboard(terminal_);
   EXPECT_TRUE(keyboard.read()->empty());
   type("w\033[Aq");
-  EXPECT_EQ(wait_for(keyboard, 3), (std::vector<Key>{letter('w'), {Kind::Up, 0}, letter('q')}));
+  EXPECT_EQ(wait_for(keyboard, 3), (std::vector<Key>{typed('w'), {Kind::Up, 0}, typed('q')}));
   pollfd echo{user_, POLLIN, 0};
   EXPECT_EQ(::poll(&echo, 1, 0), 0);
 }
 
 TEST_F(KeyboardTest, WhatWouldSuspendTheProgramIsAKey) {
   Keyboard keyboard(terminal_);
-  const std::vector<Key> keys{letter(26), letter(19), letter(17), letter(28), letter(4)};
+  const std::vector<Key> keys{typed(26), typed(19), typed(17), typed(28), typed(4)};
   type("\x1A\x13\x11\x1C\x04");
   EXPECT_EQ(wait_for(keyboard, keys.size()), keys);
 }

@@ -7,10 +7,9 @@
 #include "bag_content.hpp"
 #include "mcap_file.hpp"
 
-namespace scrubjay {
+namespace scrubjay::mcap_by_hand {
 namespace {
 
-using namespace mcap_by_hand;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -229,4 +228,4 @@ TEST(McapReaderTest, ReadsFilesAsWellAsMemory) {
 }
 
 }  // namespace
-}  // namespace scrubjay
+}  // namespace scrubjay::mcap_by_hand

@@ -4,16 +4,13 @@
 #include <scrubjay/io/robot_file.hpp>
 
 #include "temporary_folder.hpp"
+#include "source_tree.hpp"
 
 namespace scrubjay {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-std::filesystem::path in_tree(const std::string& path) {
-  return std::filesystem::path(SCRUBJAY_SOURCE_DIR) / path;
-}
 
 class NoiseFileTest : public ::testing::Test {
  protected:

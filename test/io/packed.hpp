@@ -10,7 +10,7 @@
 
 namespace scrubjay {
 
-inline std::vector<std::uint8_t> bytes_of(const std::string& text) {
+inline std::vector<std::uint8_t> unpacked(const std::string& text) {
   return {text.begin(), text.end()};
 }
 
@@ -18,7 +18,7 @@ inline std::vector<std::uint8_t> packed(const std::string& text) {
   constexpr int kGzip = 16 + MAX_WBITS;
   z_stream stream{};
   deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, kGzip, 8, Z_DEFAULT_STRATEGY);
-  std::vector<std::uint8_t> input = bytes_of(text);
+  std::vector<std::uint8_t> input = unpacked(text);
   std::vector<std::uint8_t> out(deflateBound(&stream, static_cast<uLong>(input.size())) + 32);
   stream.next_in = input.data();
   stream.avail_in = static_cast<uInt>(input.size());

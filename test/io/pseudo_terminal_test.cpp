@@ -76,7 +76,7 @@ void cook(termios& settings) {
   settings.c_lflag |= ICANON | ECHO | ISIG | IEXTEN;
 }
 
-Bytes read_all(PseudoTerminal& terminal, std::size_t count) {
+Bytes read_from(PseudoTerminal& terminal, std::size_t count) {
   Bytes bytes;
   const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(10);
   while (bytes.size() < count && std::chrono::steady_clock::now() < limit) {
@@ -118,7 +118,7 @@ TEST_F(PseudoTerminalTest, PassesEveryByteValueFromTheClient) {
   PseudoTerminal terminal(link_);
   const Client client(link_);
   client.write(all_values());
-  EXPECT_EQ(read_all(terminal, 256), all_values());
+  EXPECT_EQ(read_from(terminal, 256), all_values());
 }
 
 TEST_F(PseudoTerminalTest, ReadsNothingWithoutAClientAndStaysOpen) {
@@ -136,7 +136,7 @@ TEST_F(PseudoTerminalTest, IsRawAgainAfterAClientHasCookedIt) {
   const Client client(link_);
   EXPECT_EQ(client.read(256), all_values());
   client.write(all_values());
-  EXPECT_EQ(read_all(terminal, 256), all_values());
+  EXPECT_EQ(read_from(terminal, 256), all_values());
 }
 
 TEST_F(PseudoTerminalTest, EchoesNothingThatItWrites) {
@@ -146,7 +146,7 @@ TEST_F(PseudoTerminalTest, EchoesNothingThatItWrites) {
   EXPECT_TRUE(terminal.write(all_values()));
   EXPECT_EQ(client.read(256), all_values());
   client.write({42});
-  EXPECT_EQ(read_all(terminal, 1), Bytes{42});  // no echo came before it
+  EXPECT_EQ(read_from(terminal, 1), Bytes{42});  // no echo came before it
 }
 
 TEST_F(PseudoTerminalTest, LetsClientsWaitAsTheyLike) {
@@ -170,7 +170,7 @@ TEST_F(PseudoTerminalTest, OutlivesClientsThatComeAndGo) {
     const Client client(link_);
     ASSERT_TRUE(client.is_open());
     client.write({i});
-    EXPECT_EQ(read_all(terminal, 1), Bytes{i});
+    EXPECT_EQ(read_from(terminal, 1), Bytes{i});
     EXPECT_TRUE(terminal.write(Bytes{i, 255}));
     EXPECT_EQ(client.read(2), (Bytes{i, 255}));
   }

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 constexpr std::ptrdiff_t kEndSize = 7;  // of the last record: kind, stamp, size and checksum
 
-Bytes bytes_of(const std::filesystem::path& path) {
+Bytes file_bytes(const std::filesystem::path& path) {
   const std::string content = content_of(path);
   return {content.begin(), content.end()};
 }
@@ -62,7 +62,7 @@ TEST(RecordingTest, IsLaidOutAsDocumented) {
   write_all(folder / "run.oilog", {{Direction::Received, 0.015, {0, 0, 5, 0}},
                                    {Direction::Received, 0.015, {0, 0, 6, 0}},
                                    {Direction::Sent, 0.014999999, {128}}});
-  Bytes file = bytes_of(folder / "run.oilog");
+  Bytes file = file_bytes(folder / "run.oilog");
   const auto next = [&file](std::size_t count) {
     const Bytes front(file.begin(), file.begin() + static_cast<long>(count));
     file.erase(file.begin(), file.begin() + static_cast<long>(count));
@@ -95,7 +95,7 @@ TEST(RecordingTest, TellsHowTheMissionEndedOnceItWasRead) {
   EXPECT_EQ(read_all(reader).size(), 1u);
   EXPECT_EQ(reader.mission_end(), (RecordedEnd{300, "stopped"}));
   EXPECT_FALSE(reader.cut());
-  const Bytes file = bytes_of(folder / "run.oilog");
+  const Bytes file = file_bytes(folder / "run.oilog");
   const auto end = file.end() - kEndSize;
   EXPECT_EQ(Bytes(end - 16, end - 4), (Bytes{6, 0, 9, 0xac, 2, 's', 't', 'o', 'p', 'p', 'e', 'd'}));
   RecordingReader cut(Bytes(file.begin(), end - 1), "cut");
@@ -170,7 +170,7 @@ TEST(RecordingTest, KeepsOnlyWhatChangedInAFrame) {
   frame[83] = 2;
   chunks.push_back({Direction::Received, 0.0, frame});
   write_all(folder / "two.oilog", chunks);
-  const Bytes one = bytes_of(folder / "one.oilog"), two = bytes_of(folder / "two.oilog");
+  const Bytes one = file_bytes(folder / "one.oilog"), two = file_bytes(folder / "two.oilog");
   const Bytes delta(two.begin() + static_cast<long>(one.size()) - kEndSize, two.end() - 4 - kEndSize);
   EXPECT_EQ(delta, (Bytes{3, 0, 7, 84, 10, 1, 42 ^ 1, 72, 1, 42 ^ 2}));
 }
@@ -185,7 +185,7 @@ TEST(RecordingTest, YieldsAllWholeRecordsWhereverItIsCut) {
   const TemporaryFolder folder;
   const std::vector<Chunk> chunks = some_run(3, 20);
   write_all(folder / "run.oilog", chunks);
-  const Bytes whole = bytes_of(folder / "run.oilog");
+  const Bytes whole = file_bytes(folder / "run.oilog");
   std::size_t records_before = 0;
   for (std::size_t size = 0; size <= whole.size(); ++size) {
     RecordingReader reader(Bytes(whole.begin(), whole.begin() + static_cast<long>(size)), "cut");
@@ -203,7 +203,7 @@ TEST(RecordingTest, StopsAtDamageAndSaysSo) {
   const TemporaryFolder folder;
   const std::vector<Chunk> chunks = some_run(4, 20);
   write_all(folder / "run.oilog", chunks);
-  const Bytes whole = bytes_of(folder / "run.oilog");
+  const Bytes whole = file_bytes(folder / "run.oilog");
   for (std::size_t place = 9; place < whole.size(); ++place) {
     for (const int bit : {0, 7}) {
       Bytes damaged = whole;
@@ -222,7 +222,7 @@ TEST(RecordingTest, NoticesARecordThatIsMissingInTheMiddle) {
   const TemporaryFolder folder;
   write_all(folder / "run.oilog",
             {{Direction::Sent, 0.0, {1}}, {Direction::Sent, 0.0, {2}}, {Direction::Sent, 0.0, {3}}});
-  Bytes file = bytes_of(folder / "run.oilog");
+  Bytes file = file_bytes(folder / "run.oilog");
   const auto end = file.end() - kEndSize;
   file.erase(end - 16, end - 8);  // a sent byte makes a record of 8
   RecordingReader reader(file, "spliced");

@@ -8,7 +8,7 @@
 namespace scrubjay {
 namespace {
 
-const char* const kText = "# t1 t2 x y z roll pitch yaw\n10.5 11.25 0.4 -0.1 9 9 9 -0.07\n11.25 10.5 1 2 0 0 0 4\n";
+const char* const kRelations = "# t1 t2 x y z roll pitch yaw\n10.5 11.25 0.4 -0.1 9 9 9 -0.07\n11.25 10.5 1 2 0 0 0 4\n";
 
 void expect_both(const std::vector<Relation>& relations) {
   ASSERT_EQ(relations.size(), 2u);
@@ -19,15 +19,15 @@ void expect_both(const std::vector<Relation>& relations) {
 }
 
 TEST(RelationsFileTest, ReadsTimesAndTheMotionInThePlane) {
-  expect_both(parse_relations(bytes_of(kText), "a.relations"));
-  expect_both(parse_relations(packed(kText), "a.relations.gz"));
+  expect_both(parse_relations(unpacked(kRelations), "a.relations"));
+  expect_both(parse_relations(packed(kRelations), "a.relations.gz"));
   const TemporaryFolder folder;
-  expect_both(read_relations(folder.write("a.relations", kText)));
+  expect_both(read_relations(folder.write("a.relations", kRelations)));
 }
 
 TEST(RelationsFileTest, SaysWhereItIsWrong) {
   const auto complaint = [](const std::string& text) {
-    return message_of([&] { parse_relations(bytes_of(text), "r"); });
+    return message_of([&] { parse_relations(unpacked(text), "r"); });
   };
   EXPECT_EQ(complaint("1 2 3 4 5 6 7\n"), "r:1: field 8: yaw is missing; want a number");
   EXPECT_EQ(complaint("1 2 3 4 5 6 7 8\n1 2 3 x 5 6 7 8\n"), "r:2: field 4: y is \"x\"; want a number");

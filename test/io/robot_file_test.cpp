@@ -5,6 +5,7 @@
 #include <scrubjay/io/robot_file.hpp>
 
 #include "temporary_folder.hpp"
+#include "source_tree.hpp"
 
 namespace scrubjay {
 namespace {
@@ -12,10 +13,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
-
-std::filesystem::path in_tree(const std::string& path) {
-  return std::filesystem::path(SCRUBJAY_SOURCE_DIR) / path;
-}
 
 /// The least that a robot is made of.
 constexpr const char* kBody = R"(<?xml version="1.0"?>

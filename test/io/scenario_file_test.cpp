@@ -11,7 +11,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::string error_of(const std::string& text) {
+std::string scenario_error(const std::string& text) {
   return message_of([&] { parse_scenario(text, "run.yaml"); });
 }
 
@@ -75,27 +75,27 @@ TEST(ScenarioFileTest, WrapsTheHeading) {
 }
 
 TEST(ScenarioFileTest, SaysWhichFieldIsWrong) {
-  EXPECT_THAT(error_of("world: a\nseed: -1\n"), HasSubstr("run.yaml:2: seed is -1; want a whole number of 0 or more"));
-  EXPECT_THAT(error_of("seed: 18446744073709551616\n"), HasSubstr("seed"));
-  EXPECT_THAT(error_of("seed: 1.5\n"), HasSubstr("seed"));
-  EXPECT_THAT(error_of("resolution: 0\n"), HasSubstr("want a cell size from 0.005 to 1 m"));
-  EXPECT_THAT(error_of("resolution: 2\n"), HasSubstr("want a cell size from 0.005 to 1 m"));
-  EXPECT_THAT(error_of("max_time: 0\n"), HasSubstr("want a positive number of seconds"));
-  EXPECT_THAT(error_of("max_time: inf\n"), HasSubstr("max_time"));
-  EXPECT_THAT(error_of("start: [1, 2]\n"), HasSubstr("want [x, y, theta]"));
-  EXPECT_THAT(error_of("start: [1, 2, east]\n"), HasSubstr("start[2] is east"));
-  EXPECT_THAT(error_of("within: [1, 2, 3]\n"), HasSubstr("within"));
-  EXPECT_THAT(error_of("within: [1, 2, 0, 3]\n"), HasSubstr("the lower left corner first"));
-  EXPECT_THAT(error_of("return_home: perhaps\n"), HasSubstr("return_home"));
-  EXPECT_THAT(error_of("forward_cone: 4\n"), HasSubstr("an angle in radians, up to pi"));
-  EXPECT_THAT(error_of("robot_radius: -1\n"), HasSubstr("a radius from 0 to 1 m"));
-  EXPECT_THAT(error_of("calibration: {left: 1, right: 3, axle: 1}\n"), HasSubstr("calibration.right is 3"));
-  EXPECT_THAT(error_of("calibration: {left: 1, right: 1}\n"), HasSubstr("calibration.axle is missing"));
-  EXPECT_THAT(error_of("strategi: reactive\n"),
+  EXPECT_THAT(scenario_error("world: a\nseed: -1\n"), HasSubstr("run.yaml:2: seed is -1; want a whole number of 0 or more"));
+  EXPECT_THAT(scenario_error("seed: 18446744073709551616\n"), HasSubstr("seed"));
+  EXPECT_THAT(scenario_error("seed: 1.5\n"), HasSubstr("seed"));
+  EXPECT_THAT(scenario_error("resolution: 0\n"), HasSubstr("want a cell size from 0.005 to 1 m"));
+  EXPECT_THAT(scenario_error("resolution: 2\n"), HasSubstr("want a cell size from 0.005 to 1 m"));
+  EXPECT_THAT(scenario_error("max_time: 0\n"), HasSubstr("want a positive number of seconds"));
+  EXPECT_THAT(scenario_error("max_time: inf\n"), HasSubstr("max_time"));
+  EXPECT_THAT(scenario_error("start: [1, 2]\n"), HasSubstr("want [x, y, theta]"));
+  EXPECT_THAT(scenario_error("start: [1, 2, east]\n"), HasSubstr("start[2] is east"));
+  EXPECT_THAT(scenario_error("within: [1, 2, 3]\n"), HasSubstr("within"));
+  EXPECT_THAT(scenario_error("within: [1, 2, 0, 3]\n"), HasSubstr("the lower left corner first"));
+  EXPECT_THAT(scenario_error("return_home: perhaps\n"), HasSubstr("return_home"));
+  EXPECT_THAT(scenario_error("forward_cone: 4\n"), HasSubstr("an angle in radians, up to pi"));
+  EXPECT_THAT(scenario_error("robot_radius: -1\n"), HasSubstr("a radius from 0 to 1 m"));
+  EXPECT_THAT(scenario_error("calibration: {left: 1, right: 3, axle: 1}\n"), HasSubstr("calibration.right is 3"));
+  EXPECT_THAT(scenario_error("calibration: {left: 1, right: 1}\n"), HasSubstr("calibration.axle is missing"));
+  EXPECT_THAT(scenario_error("strategi: reactive\n"),
               AllOf(HasSubstr("run.yaml:1: there is no field 'strategi'"), HasSubstr("did you mean 'strategy'?")));
-  EXPECT_THAT(error_of("world: [a]\n"), HasSubstr("world is a list of 1; want text"));
-  EXPECT_THAT(error_of("just text\n"), HasSubstr("run.yaml:1"));
-  EXPECT_THAT(error_of("world: {\n"), HasSubstr("run.yaml:"));
+  EXPECT_THAT(scenario_error("world: [a]\n"), HasSubstr("world is a list of 1; want text"));
+  EXPECT_THAT(scenario_error("just text\n"), HasSubstr("run.yaml:1"));
+  EXPECT_THAT(scenario_error("world: {\n"), HasSubstr("run.yaml:"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace scrubjay {
 namespace {
 
 /// '.' is free, '#' occupied, '?' unknown; the first row is the top one. Cells of 1 m, the lowest left at the origin.
-OccupancyGrid map_of(const std::vector<std::string>& rows) {
+OccupancyGrid drawn_map(const std::vector<std::string>& rows) {
   OccupancyGrid map;
   map.geometry = {1.0, {0.0, 0.0}, static_cast<std::int32_t>(rows[0].size()), static_cast<std::int32_t>(rows.size())};
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
@@ -17,7 +17,7 @@ OccupancyGrid map_of(const std::vector<std::string>& rows) {
 }
 
 TEST(WorldFromMapTest, MergesStraightRunsOfTheBorder) {
-  const World world = world_from_map(map_of({"#####",  //
+  const World world = world_from_map(drawn_map({"#####",  //
                                              "#..##",  //
                                              "#...#",  //
                                              "#####"}));
@@ -26,14 +26,14 @@ TEST(WorldFromMapTest, MergesStraightRunsOfTheBorder) {
 }
 
 TEST(WorldFromMapTest, UnknownCellsAndTheMapsEdgeAreSolid) {
-  const World world = world_from_map(map_of({"?..",  //
+  const World world = world_from_map(drawn_map({"?..",  //
                                              "..."}));
   ASSERT_EQ(world.walls.size(), 1u);
   EXPECT_EQ(world.walls[0].points, (std::vector<Point2>{{0, 0}, {3, 0}, {3, 2}, {1, 2}, {1, 1}, {0, 1}, {0, 0}}));
 }
 
 TEST(WorldFromMapTest, AnIslandIsAWallOfItsOwn) {
-  const World world = world_from_map(map_of({".....",  //
+  const World world = world_from_map(drawn_map({".....",  //
                                              ".##..",  //
                                              "....."}));
   ASSERT_EQ(world.walls.size(), 2u);
@@ -42,14 +42,14 @@ TEST(WorldFromMapTest, AnIslandIsAWallOfItsOwn) {
 }
 
 TEST(WorldFromMapTest, FreeCellsThatMeetAtACornerStayApart) {
-  const World world = world_from_map(map_of({"#.",  //
+  const World world = world_from_map(drawn_map({"#.",  //
                                              ".#"}));
   ASSERT_EQ(world.walls.size(), 2u);
   EXPECT_EQ(world.walls[0].points, (std::vector<Point2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}));
 }
 
 TEST(WorldFromMapTest, AMapWithoutFreeCellsHasNoWalls) {
-  EXPECT_TRUE(world_from_map(map_of({"##", "??"})).walls.empty());
+  EXPECT_TRUE(world_from_map(drawn_map({"##", "??"})).walls.empty());
   EXPECT_TRUE(world_from_map({}).walls.empty());
 }
 

@@ -15,7 +15,7 @@ namespace scrubjay {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double kRadius = 0.105;  // of a Burger, which knows the floor below tables
+constexpr double kBurgerRadius = 0.105;  // of a Burger, which knows the floor below tables
 
 /// What a robot would map that senses everything, and its rooms.
 struct MappedWorld {
@@ -25,7 +25,7 @@ struct MappedWorld {
 };
 
 MappedWorld mapped(const World& world, const Pose2& start) {
-  const GroundTruth truth = ground_truth(world, start, kRadius, 0.05);
+  const GroundTruth truth = ground_truth(world, start, kBurgerRadius, 0.05);
   MappedWorld map{truth.geometry, {}, {}};
   for (const GroundTruth::Cell& cell : truth.cells) {
     map.cells.push_back(cell.wall ? kMaxLogOdds : cell.reachable ? LogOdds{-kMaxLogOdds} : LogOdds{0});
@@ -35,12 +35,12 @@ MappedWorld mapped(const World& world, const Pose2& start) {
 }
 
 /// A world of ours, and places in it, together where a person would call it one room.
-struct Expected {
+struct ExpectedRooms {
   std::string name;
   std::vector<std::vector<Point2>> rooms;
 };
 
-class WorldRoomsTest : public testing::TestWithParam<Expected> {};
+class WorldRoomsTest : public testing::TestWithParam<ExpectedRooms> {};
 
 TEST_P(WorldRoomsTest, AreThoseThatAPersonWouldCount) {
   const World world = read_world(fs::path(SCRUBJAY_SOURCE_DIR) / "worlds" / (GetParam().name + ".yaml"));
@@ -62,10 +62,10 @@ TEST_P(WorldRoomsTest, AreThoseThatAPersonWouldCount) {
 
 INSTANTIATE_TEST_SUITE_P(
     Worlds, WorldRoomsTest,
-    testing::Values(Expected{"room", {{{1, 2.7}, {3, 0.5}}}},
+    testing::Values(ExpectedRooms{"room", {{{1, 2.7}, {3, 0.5}}}},
                     // The way into the room behind is long, and no wider than the door at its end: it belongs to both.
-                    Expected{"reactive_trap", {{{1, 1.5}, {2.75, 0.7}, {5, 1.2}}}},
-                    Expected{"corridor_flat",
+                    ExpectedRooms{"reactive_trap", {{{1, 1.5}, {2.75, 0.7}, {5, 1.2}}}},
+                    ExpectedRooms{"corridor_flat",
                              {{{5, 3.5}, {0.5, 3.5}, {10.2, 3.5}},
                               {{2.4, 2}},
                               {{5.4, 1.5}},
@@ -73,10 +73,10 @@ INSTANTIATE_TEST_SUITE_P(
                               {{3, 5}},
                               {{6, 5}},
                               {{9, 5.5}}}},
-                    Expected{"apartment", {{{1, 3.3}, {3.5, 5.5}, {4.2, 1}}, {{6, 4.6}}, {{5.3, 1.5}}}},
-                    Expected{"cluttered_flat", {{{1.9, 3.7}, {3.6, 1.5}, {0.5, 1.5}}, {{6, 3.8}, {6.3, 1}}}},
+                    ExpectedRooms{"apartment", {{{1, 3.3}, {3.5, 5.5}, {4.2, 1}}, {{6, 4.6}}, {{5.3, 1.5}}}},
+                    ExpectedRooms{"cluttered_flat", {{{1.9, 3.7}, {3.6, 1.5}, {0.5, 1.5}}, {{6, 3.8}, {6.3, 1}}}},
                     // The living room is open to the hall, whose south end lies behind a shoe rack.
-                    Expected{"family_house",
+                    ExpectedRooms{"family_house",
                              {{{3.5, 2}, {1.2, 4}, {5.7, 4}},
                               {{5.7, 1}},
                               {{3.8, 6.5}, {1, 7}},
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
                               {{9, 4.8}, {7, 4.8}},
                               {{8.5, 7}}}},
                     // And here it is to the long hall.
-                    Expected{"large_house",
+                    ExpectedRooms{"large_house",
                              {{{3, 6}, {15, 6}, {9.5, 8}},
                               {{1.5, 4}},
                               {{2.5, 1.2}},
@@ -115,7 +115,7 @@ TEST(RealPlanRoomsTest, NoPlanIsCutIntoMoreRoomsThanItWasDrawnWithAndMostIntoMan
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
     const World world = read_world(entry.path());
-    const std::size_t rooms = mapped(world, starting_pose(world, kRadius)).rooms.rooms.size();
+    const std::size_t rooms = mapped(world, starting_pose(world, kBurgerRadius)).rooms.rooms.size();
     EXPECT_GE(rooms, 1u) << world.name;
     EXPECT_LE(rooms, rooms_drawn(entry.path())) << world.name;
     drawn += rooms_drawn(entry.path());

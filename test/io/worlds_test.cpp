@@ -7,25 +7,25 @@
 #include <scrubjay/world/score.hpp>
 #include <scrubjay/world/segment_index.hpp>
 
+#include "world/disc.hpp"
+
 namespace scrubjay {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double kRadius = 0.1735;
-
 double reachable_area(const World& world, const Pose2& start, double resolution = 0.05) {
   const GroundTruth truth = ground_truth(world, start, kRadius, resolution);
   return static_cast<double>(truth.reachable_count) * resolution * resolution;
 }
 
 /// A world of ours: a place in each of its rooms, and its floor.
-struct Expected {
+struct ExpectedWorld {
   std::string name;
   std::vector<Point2> rooms;
   double area;  ///< that the robot reaches, to 3 % [m^2]
 };
 
-class OurWorldTest : public testing::TestWithParam<Expected> {
+class OurWorldTest : public testing::TestWithParam<ExpectedWorld> {
  protected:
   World world = read_world(fs::path(SCRUBJAY_SOURCE_DIR) / "worlds" / (GetParam().name + ".yaml"));
 };
@@ -59,14 +59,14 @@ TEST_P(OurWorldTest, AllItsRoomsCanBeReached) {
 
 INSTANTIATE_TEST_SUITE_P(
     Worlds, OurWorldTest,
-    testing::Values(Expected{"room", {{1, 2.7}, {3, 0.5}}, 14.0},  //
-                    Expected{"reactive_trap", {{1, 1.5}, {2.75, 0.7}, {5, 1.2}}, 17.0},
-                    Expected{
+    testing::Values(ExpectedWorld{"room", {{1, 2.7}, {3, 0.5}}, 14.0},  //
+                    ExpectedWorld{"reactive_trap", {{1, 1.5}, {2.75, 0.7}, {5, 1.2}}, 17.0},
+                    ExpectedWorld{
                         "corridor_flat", {{5, 3.5}, {2.4, 2}, {5.4, 1.5}, {9, 1.5}, {3, 5}, {6, 5}, {9, 5.5}}, 56.7},
-                    Expected{"apartment", {{1, 3.3}, {6, 4.6}, {5.3, 1.5}}, 33.4},
-                    Expected{"cluttered_flat", {{1.9, 3.7}, {6, 3.8}, {6.3, 1}}, 34.4},
-                    Expected{"family_house", {{3.5, 2}, {3.8, 6.5}, {5.7, 4}, {7.2, 2}, {9, 4.8}, {8.5, 7}}, 68.4},
-                    Expected{"large_house",
+                    ExpectedWorld{"apartment", {{1, 3.3}, {6, 4.6}, {5.3, 1.5}}, 33.4},
+                    ExpectedWorld{"cluttered_flat", {{1.9, 3.7}, {6, 3.8}, {6.3, 1}}, 34.4},
+                    ExpectedWorld{"family_house", {{3.5, 2}, {3.8, 6.5}, {5.7, 4}, {7.2, 2}, {9, 4.8}, {8.5, 7}}, 68.4},
+                    ExpectedWorld{"large_house",
                              {{1.5, 4},
                               {2.5, 1.2},
                               {6, 4.3},

@@ -9,8 +9,8 @@
 namespace scrubjay {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoEcho = std::numeric_limits<float>::infinity();
+constexpr float kNoRange = std::numeric_limits<float>::quiet_NaN();
 
 LidarModel lidar() {
   LidarModel model;
@@ -61,7 +61,7 @@ TEST(ScanPointsTest, TurnsWithTheSensorsMount) {
 TEST(ScanPointsTest, TellsReturnsFromClearWaysAndFromNothingSaid) {
   ScanPoints points(lidar());
   // Farther than is measured, no echo, LDS-01's word for it; then what says nothing: no number, too near, nonsense.
-  const std::vector<float> ranges{3.6F, kInfinity, 0.0F, kNan, -kInfinity, -1.0F, 0.1F, 3.5F, 0.12F};
+  const std::vector<float> ranges{3.6F, kNoEcho, 0.0F, kNoRange, -kNoEcho, -1.0F, 0.1F, 3.5F, 0.12F};
   LaserScan scan = scan_of(ranges, radians(10.0));
   scan.range_min = static_cast<double>(0.12F);
   const auto found = beams(points, scan);
@@ -78,13 +78,13 @@ TEST(ScanPointsTest, WithoutClearRangeABeamWithoutReturnSaysNothing) {
   LidarModel model = lidar();
   model.clear_range = 0.0;
   ScanPoints points(model);
-  const std::vector<float> ranges{kInfinity, 3.6F, 0.0F, 1.0F};
+  const std::vector<float> ranges{kNoEcho, 3.6F, 0.0F, 1.0F};
   EXPECT_EQ(beams(points, scan_of(ranges)).size(), 1u);
 }
 
 TEST(ScanPointsTest, ReturnsBeyondMaxRangeAreClearUpToThere) {
   ScanPoints points(lidar(), {.max_range = 2.0});
-  const std::vector<float> ranges{2.5F, kInfinity, 1.5F};
+  const std::vector<float> ranges{2.5F, kNoEcho, 1.5F};
   const auto found = beams(points, scan_of(ranges));
   ASSERT_EQ(found.size(), 3u);
   EXPECT_FALSE(found[0].hit);

@@ -9,7 +9,7 @@ namespace {
 
 using testing::SizeIs;
 
-const Header kHeader{{12, 34}, "map"};
+const Header kRoomsHeader{{12, 34}, "map"};
 
 /// A room of 4 x 3 m with a corner cut off, a door, and one of 3 x 3 m.
 RoomMap two_rooms() {
@@ -31,19 +31,19 @@ double area_of(const std::vector<Point>& corners) {
 }
 
 TEST(RoomMarkersTest, TakeAwayWhatWasShownBefore) {
-  const MarkerArray none = room_markers(kHeader, RoomMap{});
+  const MarkerArray none = room_markers(kRoomsHeader, RoomMap{});
   ASSERT_THAT(none.markers, SizeIs(1));
   EXPECT_EQ(none.markers[0].action, Marker::kDeleteAll);
-  EXPECT_EQ(room_markers(kHeader, two_rooms()).markers.at(0), none.markers[0]);
+  EXPECT_EQ(room_markers(kRoomsHeader, two_rooms()).markers.at(0), none.markers[0]);
 }
 
 TEST(RoomMarkersTest, ShowTheFloorOfEachRoom) {
   const RoomMap rooms = two_rooms();
-  const MarkerArray message = room_markers(kHeader, rooms);
+  const MarkerArray message = room_markers(kRoomsHeader, rooms);
   ASSERT_THAT(message.markers, SizeIs(5));
   for (const Room& room : rooms.rooms) {
     const Marker& floor = message.markers[room.label];
-    EXPECT_EQ(floor.header, kHeader);
+    EXPECT_EQ(floor.header, kRoomsHeader);
     EXPECT_EQ(floor.ns, "rooms");
     EXPECT_EQ(floor.id, room.label);
     EXPECT_EQ(floor.type, Marker::kTriangleList);
@@ -58,14 +58,14 @@ TEST(RoomMarkersTest, ShowTheFloorOfEachRoom) {
 }
 
 TEST(RoomMarkersTest, AreOfFewTriangles) {
-  const MarkerArray message = room_markers(kHeader, two_rooms());
+  const MarkerArray message = room_markers(kRoomsHeader, two_rooms());
   // Rectangles: below and beside the corner that is cut off, and what belongs to the doorway.
   EXPECT_LE(message.markers[1].points.size() + message.markers[2].points.size(), 8u * 6u);
 }
 
 TEST(RoomMarkersTest, NameEachRoomAtItsCenter) {
   const RoomMap rooms = two_rooms();
-  const MarkerArray message = room_markers(kHeader, rooms);
+  const MarkerArray message = room_markers(kRoomsHeader, rooms);
   const Marker& label = message.markers.at(3);
   EXPECT_EQ(label.ns, "room_labels");
   EXPECT_EQ(label.id, 1);

@@ -4,10 +4,10 @@
 #include <scrubjay/geometry/random.hpp>
 #include <scrubjay/odometry/arc.hpp>
 
+#include "odometry/drive.hpp"
+
 namespace scrubjay {
 namespace {
-
-const DifferentialDrive kDrive;
 
 WheelTravel wheels(double length, double turn) {
   const double half = 0.5 * kDrive.wheel_separation * turn;

@@ -5,10 +5,11 @@
 #include <scrubjay/odometry/calibration_fit.hpp>
 #include <vector>
 
+#include "odometry/drive.hpp"
+
 namespace scrubjay {
 namespace {
 
-const DifferentialDrive kDrive;
 using Travel = std::vector<WheelTravel>;
 
 /// What the encoders tell of a robot that rolls `way`, then turns by `turn`, as it believes.

@@ -7,10 +7,10 @@
 #include <scrubjay/odometry/odometry.hpp>
 #include <vector>
 
+#include "odometry/drive.hpp"
+
 namespace scrubjay {
 namespace {
-
-const DifferentialDrive kDrive;
 
 using Ticks = std::vector<WheelTravel>;
 

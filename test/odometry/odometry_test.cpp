@@ -8,10 +8,11 @@
 #include <scrubjay/odometry/odometry.hpp>
 #include <vector>
 
+#include "odometry/drive.hpp"
+
 namespace scrubjay {
 namespace {
 
-const DifferentialDrive kDrive;
 constexpr double kTick = 0.015;  // [s]
 
 /// Some equal ticks: a straight, an arc or a spin.

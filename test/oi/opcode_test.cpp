@@ -19,7 +19,7 @@ struct OpcodeRow {
 };
 
 /// The specification, under the names that Roombas and Create 2 give.
-const OpcodeRow kRows[] = {
+const OpcodeRow kOpcodeRows[] = {
     {7, "reset", "0", "any", "off", "C2 500+"},
     {128, "start", "0", "any", "passive", "all"},
     {129, "baud", "1", "passive safe full", "-", "all"},
@@ -95,9 +95,9 @@ void expect_in_table(const OpcodeRow& row) {
 }
 
 TEST(OpcodeTest, TableIsTheSpecification) {
-  for (const OpcodeRow& row : kRows) expect_in_table(row);
+  for (const OpcodeRow& row : kOpcodeRows) expect_in_table(row);
   // Four more are other names that Create 1 gives.
-  EXPECT_EQ(kOpcodes.size(), std::size(kRows) + 4);
+  EXPECT_EQ(kOpcodes.size(), std::size(kOpcodeRows) + 4);
 }
 
 TEST(OpcodeTest, TableIsTheSharedFacts) {

@@ -23,7 +23,7 @@ struct PacketRow {
 };
 
 /// The specification, for Create 2 (the ranges of the others follow in their own tests).
-const PacketRow kRows[] = {
+const PacketRow kPacketRows[] = {
     {7, "bumps_and_wheel_drops", 1, false, 0, 15, "bits", "C2 C1 R4"},
     {8, "wall", 1, false, 0, 1, "bool", "C2 C1 R4"},
     {9, "cliff_left", 1, false, 0, 1, "bool", "C2 C1 R4"},
@@ -100,8 +100,8 @@ void expect_is(const PacketInfo& info, const PacketRow& row) {
 }
 
 TEST(PacketTest, TableIsTheSpecification) {
-  ASSERT_EQ(std::size(kRows), kPackets.size());
-  for (std::size_t i = 0; i < kPackets.size(); ++i) expect_is(kPackets[i], kRows[i]);
+  ASSERT_EQ(std::size(kPacketRows), kPackets.size());
+  for (std::size_t i = 0; i < kPackets.size(); ++i) expect_is(kPackets[i], kPacketRows[i]);
 }
 
 TEST(PacketTest, TableIsTheSharedFacts) {

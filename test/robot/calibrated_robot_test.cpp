@@ -5,7 +5,7 @@
 namespace scrubjay {
 namespace {
 
-const DifferentialDrive kDrive;
+const DifferentialDrive kBelieved;
 
 /// Wheels that are off, and an encoder on each: moves as its motors are told, and tells what they turned.
 class OffRobot final : public Robot {
@@ -14,14 +14,14 @@ class OffRobot final : public Robot {
 
   std::optional<Frame> next() override {
     if (gone) return std::nullopt;
-    const double half = 0.5 * kDrive.wheel_separation * told.angular;
+    const double half = 0.5 * kBelieved.wheel_separation * told.angular;
     Frame frame;
     frame.bump_left = true;
     frame.left_travel = told.linear - half;
     frame.right_travel = told.linear + half;
     const double left = truth_.left * frame.left_travel;
     const double right = truth_.right * frame.right_travel;
-    made = {0.5 * (left + right), (right - left) / (kDrive.wheel_separation * truth_.axle)};
+    made = {0.5 * (left + right), (right - left) / (kBelieved.wheel_separation * truth_.axle)};
     return frame;
   }
   void drive(const Motion& motion) override { told = motion; }
@@ -39,7 +39,7 @@ class OffRobot final : public Robot {
 TEST(CalibratedRobotTest, MovesAsItIsToldAndTellsHowItMoved) {
   const Calibration truth{1.02, 0.97, 1.15};
   OffRobot off(truth);
-  CalibratedRobot robot(off, truth, kDrive);
+  CalibratedRobot robot(off, truth, kBelieved);
   for (const Motion& motion : {Motion{0.2, 0.0}, Motion{0.0, 1.0}, Motion{-0.1, 0.4}}) {
     robot.drive(motion);
     const auto frame = robot.next();
@@ -47,14 +47,14 @@ TEST(CalibratedRobotTest, MovesAsItIsToldAndTellsHowItMoved) {
     EXPECT_NEAR(off.made.linear, motion.linear, 1e-12);
     EXPECT_NEAR(off.made.angular, motion.angular, 1e-12);
     EXPECT_NEAR(0.5 * (frame->left_travel + frame->right_travel), motion.linear, 1e-12);
-    EXPECT_NEAR((frame->right_travel - frame->left_travel) / kDrive.wheel_separation, motion.angular, 1e-12);
+    EXPECT_NEAR((frame->right_travel - frame->left_travel) / kBelieved.wheel_separation, motion.angular, 1e-12);
     EXPECT_TRUE(frame->bump_left) << "all else is as it was";
   }
 }
 
 TEST(CalibratedRobotTest, StopsAndEndsWithTheRobot) {
   OffRobot off({});
-  CalibratedRobot robot(off, {1.1, 1.1, 0.9}, kDrive);
+  CalibratedRobot robot(off, {1.1, 1.1, 0.9}, kBelieved);
   robot.stop();
   EXPECT_TRUE(off.stopped);
   off.gone = true;

@@ -9,7 +9,6 @@ namespace {
 
 using oi::PacketId;
 
-constexpr double kTick = 0.015;
 const double kCount = DifferentialDrive{}.metres_per_count();
 
 /// What a frame maker makes of one reading after another.

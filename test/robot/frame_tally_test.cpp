@@ -6,12 +6,11 @@
 namespace scrubjay {
 namespace {
 
-constexpr double kTick = FrameTally::kTick;
 
 TEST(FrameTallyTest, CountsNothingOfAWholeStream) {
   FrameTally tally;
   EXPECT_EQ(tally.lost(), 0u);
-  for (int i = 0; i < 10000; ++i) tally.arrive(i * kTick);
+  for (int i = 0; i < 10000; ++i) tally.arrive(i * FrameTally::kTick);
   EXPECT_EQ(tally.arrived(), 10000u);
   EXPECT_EQ(tally.lost(), 0u);
 }
@@ -29,16 +28,16 @@ TEST(FrameTallyTest, CountsEveryFrameThatDidntCome) {
         ++lost;
         continue;
       }
-      tally.arrive(last = std::max(last, i * kTick + random.uniform(0.0, delay)));
+      tally.arrive(last = std::max(last, i * FrameTally::kTick + random.uniform(0.0, delay)));
     }
-    EXPECT_NEAR(static_cast<double>(tally.lost()), static_cast<double>(lost), delay < kTick ? 1.0 : 4.0) << delay;
+    EXPECT_NEAR(static_cast<double>(tally.lost()), static_cast<double>(lost), delay < FrameTally::kTick ? 1.0 : 4.0) << delay;
   }
 }
 
 TEST(FrameTallyTest, MissesNoneInBursts) {
   FrameTally tally;
   for (int burst = 0; burst < 1000; ++burst) {
-    for (int i = 0; i < 3; ++i) tally.arrive(burst * 3 * kTick);
+    for (int i = 0; i < 3; ++i) tally.arrive(burst * 3 * FrameTally::kTick);
   }
   EXPECT_LE(tally.lost(), 2u);
 }
@@ -46,7 +45,7 @@ TEST(FrameTallyTest, MissesNoneInBursts) {
 TEST(FrameTallyTest, FollowsAClockThatRunsOtherwise) {
   for (const double share : {0.97, 1.03}) {
     FrameTally tally;
-    for (int i = 0; i < 100000; ++i) tally.arrive(i * kTick * share);
+    for (int i = 0; i < 100000; ++i) tally.arrive(i * FrameTally::kTick * share);
     EXPECT_LE(tally.lost(), 1u) << share;
   }
 }

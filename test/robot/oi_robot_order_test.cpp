@@ -18,8 +18,6 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
 
-const Bytes kStart{128};
-const Bytes kSafe{131};
 const Bytes kSeekDock{143};
 const Bytes kStream{148, 1, 100};
 const Bytes kForward{145, 0, 100, 0, 100};

@@ -11,8 +11,6 @@ namespace {
 using oi::PacketId;
 using testing::ElementsAre;
 
-constexpr double kTick = 0.015;
-
 RobotModel model_of(oi::Model protocol) {
   RobotModel model;
   model.protocol = protocol;

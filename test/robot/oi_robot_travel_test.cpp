@@ -9,7 +9,6 @@
 namespace scrubjay {
 namespace {
 
-constexpr double kTick = 0.015;
 const DifferentialDrive kDrive;
 
 /// A robot that sends one frame a tick.

@@ -15,6 +15,11 @@ namespace scrubjay {
 
 using Bytes = std::vector<std::uint8_t>;
 
+inline constexpr double kTick = 0.015;  ///< between two frames of a stream [s]
+
+inline const Bytes kStart{128};
+inline const Bytes kSafe{131};
+
 inline Bytes operator+(Bytes a, const Bytes& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;

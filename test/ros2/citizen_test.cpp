@@ -20,8 +20,6 @@ using ::testing::UnorderedElementsAre;
 
 using CitizenTest = WireTest;
 
-constexpr Qos kBestEffort{Reliability::BestEffort, Durability::Volatile, 10};
-
 TEST_F(CitizenTest, OneTopicMayHaveTwoTypes) {
   Participant robot(options(NodeNames("jay")));
   Inbox plain;

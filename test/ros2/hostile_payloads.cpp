@@ -13,9 +13,9 @@ namespace {
 
 using Encapsulation = std::array<std::uint8_t, 2>;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::array kNoWishes{kNan, kInfinity, -kInfinity, 1e300, -1e6};
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kWithoutEnd = std::numeric_limits<double>::infinity();
+constexpr std::array kNoWishes{kNoNumber, kWithoutEnd, -kWithoutEnd, 1e300, -1e6};
 
 constexpr Encapsulation kBigEndian{0, 0};
 /// Parameter lists, all of XCDR2, and what the specification doesn't have.
@@ -89,7 +89,7 @@ std::vector<Target> poses() {
   Target at = target<PoseWithCovarianceStamped>("initialpose", initial_pose(sound));
   PoseWithCovarianceStamped place;
   place.header.frame_id = "map";
-  add_no_wishes(at.absurd, place, &PoseWithCovarianceStamped::pose, std::array{kNan, kInfinity});
+  add_no_wishes(at.absurd, place, &PoseWithCovarianceStamped::pose, std::array{kNoNumber, kWithoutEnd});
   for (const char* frame : {"odom", "base_link", "", "mapmapmap"}) {
     to.absurd.push_back(goal(sound, frame));
     at.absurd.push_back(initial_pose(sound, frame));

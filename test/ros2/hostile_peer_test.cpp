@@ -54,10 +54,10 @@ Bytes damaged(Bytes message, Random& random) {
 }
 
 TEST_F(HostilePeerTest, TenThousandDamagedMessagesDoNoHarm) {
-  Participant robot(options());
-  Participant hostile(options());
   std::atomic<int> came = 0;
   std::atomic<int> whole_ones = 0;
+  Participant robot(options());
+  Participant hostile(options());
   constexpr int kAtOnce = 99;
   const Qos deep{Reliability::Reliable, Durability::Volatile, kAtOnce + 1};
   Reader& reader = robot.read("path", kTypeOf<Path>, deep, [&](std::span<const std::byte> bytes) {

@@ -15,8 +15,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-constexpr Qos kBestEffort{Reliability::BestEffort, Durability::Volatile, 10};
-
 std::string content(const Bytes& message) {
   return decode<String>(message)->data;
 }

@@ -7,7 +7,7 @@
 namespace scrubjay::ros {
 namespace {
 
-constexpr const char* kHead = R"(<?xml version="1.0" encoding="UTF-8"?>
+constexpr const char* kXmlHead = R"(<?xml version="1.0" encoding="UTF-8"?>
 <dds xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">
 )";
 
@@ -31,7 +31,7 @@ std::string governance(int domain) {
   </topic_rule></topic_access_rules>
 </domain_rule></domain_access_rules></dds>
 )",
-                     kHead, domain);
+                     kXmlHead, domain);
 }
 
 std::string permissions(const std::string& enclave, int domain, const std::string& allowed) {
@@ -48,7 +48,7 @@ std::string permissions(const std::string& enclave, int domain, const std::strin
   <default>DENY</default>
 </grant></permissions></dds>
 )",
-                     kHead, enclave, enclave, domain, topics, topics);
+                     kXmlHead, enclave, enclave, domain, topics, topics);
 }
 
 }  // namespace

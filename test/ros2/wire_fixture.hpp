@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <memory>
 #include <mutex>
 #include <scrubjay/messages/cdr.hpp>
 #include <scrubjay/messages/std_msgs.hpp>
@@ -16,6 +17,8 @@
 #include "ros2/fresh_domain.hpp"
 
 namespace scrubjay::ros {
+
+inline constexpr Qos kBestEffort{Reliability::BestEffort, Durability::Volatile, 10};
 
 /// Whether it comes true, at last.
 template <typename Condition>
@@ -36,7 +39,10 @@ class Kept {
     const std::scoped_lock lock(mutex_);
     items_.push_back(std::move(item));
   }
-  std::size_t size() const { return all().size(); }
+  std::size_t size() const {
+    const std::scoped_lock lock(mutex_);
+    return items_.size();
+  }
   std::vector<Item> all() const {
     const std::scoped_lock lock(mutex_);
     return items_;
@@ -47,11 +53,18 @@ class Kept {
   std::vector<Item> items_;
 };
 
-class Inbox : public Kept<Bytes> {
+/// What is kept outlives the inbox for as long as somebody may bring more: a participant that is declared before it ends
+/// after it.
+class Inbox {
  public:
   Receive receive() {
-    return [this](std::span<const std::byte> message) { add(Bytes(message.begin(), message.end())); };
+    return [kept = kept_](std::span<const std::byte> message) { kept->add(Bytes(message.begin(), message.end())); };
   }
+  std::size_t size() const { return kept_->size(); }
+  std::vector<Bytes> all() const { return kept_->all(); }
+
+ private:
+  std::shared_ptr<Kept<Bytes>> kept_ = std::make_shared<Kept<Bytes>>();
 };
 
 inline Bytes text(const std::string& content) {

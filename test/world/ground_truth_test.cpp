@@ -5,10 +5,10 @@
 #include <scrubjay/world/score.hpp>
 #include <set>
 
+#include "world/disc.hpp"
+
 namespace scrubjay {
 namespace {
-
-constexpr double kRadius = 0.1735;
 
 Wall closed(Polygon corners) {
   corners.push_back(corners.front());

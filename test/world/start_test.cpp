@@ -3,14 +3,14 @@
 #include <scrubjay/error.hpp>
 #include <scrubjay/world/start.hpp>
 
+#include "world/disc.hpp"
+
 namespace scrubjay {
 namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kRadius = 0.1735;
-
-World furnished_room() {
+World room_with_hole() {
   World world;
   world.walls.push_back({{{0, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 0}}});
   world.furniture.push_back({"sofa", {box({3, 2}, {1.0, 0.8}, 0.0)}});
@@ -19,7 +19,7 @@ World furnished_room() {
 }
 
 std::string refusal(const Pose2& start) {
-  const World world = furnished_room();
+  const World world = room_with_hole();
   const SegmentIndex index(solid_segments(world));
   try {
     expect_room(world, index, start, kRadius);

@@ -3,10 +3,10 @@
 #include <scrubjay/error.hpp>
 #include <scrubjay/world/score.hpp>
 
+#include "world/disc.hpp"
+
 namespace scrubjay {
 namespace {
-
-constexpr double kRadius = 0.1735;
 
 World rooms(const std::vector<Polygon>& outlines) {
   World world;

@@ -3,10 +3,10 @@
 #include <scrubjay/error.hpp>
 #include <scrubjay/world/start.hpp>
 
+#include "world/disc.hpp"
+
 namespace scrubjay {
 namespace {
-
-constexpr double kRadius = 0.1735;
 
 /// Two rooms without a door between them, and a hole in the floor of the first one.
 World two_rooms() {
