@@ -53,7 +53,7 @@ void expect_no_port(const DoctorFlags& flags) {
 }
 
 /// Tries these rates until one answers, and wakes it in between. The rate that it was.
-int find_robot(SerialPort& port, Examination& examination, const std::vector<int>& rates, const std::stop_token& stop) {
+int find_rate(SerialPort& port, Examination& examination, const std::vector<int>& rates, const std::stop_token& stop) {
   std::optional<int> foreign;
   for (const int rate : rates) {
     say(fmt::format("listening at {} baud ...", rate));
@@ -99,7 +99,7 @@ void doctor(const DoctorFlags& flags) {
 
   Examination examination(
       port, [&port] { return port.now(); }, interrupt.token());
-  port_report.address.baud = find_robot(port, examination, rates_to_try(port_report.address), interrupt.token());
+  port_report.address.baud = find_rate(port, examination, rates_to_try(port_report.address), interrupt.token());
   std::optional<HandCheck> hands;
   if (examination.report().contact == Contact::Robot) {
     examine(examination, flags);

@@ -5,7 +5,7 @@
 namespace scrubjay::apps {
 namespace {
 
-constexpr std::size_t kColumns = 79;
+constexpr std::size_t kWidth = 79;
 constexpr std::size_t kIndent = 14;
 
 }  // namespace
@@ -17,7 +17,7 @@ std::string wrapped(std::string_view begin, std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(' ', at), text.size());
     const std::size_t size = end - at;
-    if (!line_begins && column + 1 + size > kColumns) {
+    if (!line_begins && column + 1 + size > kWidth) {
       out += '\n' + std::string(begin.size(), ' ');
       column = begin.size();
       line_begins = true;

@@ -11,7 +11,7 @@ namespace {
 
 using oi::PacketId;
 
-std::string row(std::string_view name, std::string_view values) {
+std::string sensor_row(std::string_view name, std::string_view values) {
   return fmt::format("{:<14}{}", name, values);
 }
 
@@ -91,16 +91,16 @@ std::string overcurrents(const oi::Sensors& s, oi::Model model) {
 }
 
 void add_create2_rows(const oi::Sensors& s, std::vector<std::string>& rows) {
-  rows.push_back(row("light bumper", light_signals(s)));
-  rows.push_back(row("encoders", fmt::format("left {:<8}right {:<8}caster {}", s[PacketId::LeftEncoderCounts],
-                                             s[PacketId::RightEncoderCounts],
-                                             oi::stasis(s).disabled   ? "too dirty to tell"
-                                             : oi::stasis(s).toggling ? "turns"
-                                                                      : "stands")));
+  rows.push_back(sensor_row("light bumper", light_signals(s)));
+  rows.push_back(sensor_row("encoders", fmt::format("left {:<8}right {:<8}caster {}", s[PacketId::LeftEncoderCounts],
+                                                    s[PacketId::RightEncoderCounts],
+                                                    oi::stasis(s).disabled   ? "too dirty to tell"
+                                                    : oi::stasis(s).toggling ? "turns"
+                                                                             : "stands")));
   rows.push_back(
-      row("currents [mA]", fmt::format("wheels left {:<6}right {:<6}brushes main {:<6}side {}",
-                                       s[PacketId::LeftMotorCurrent], s[PacketId::RightMotorCurrent],
-                                       s[PacketId::MainBrushMotorCurrent], s[PacketId::SideBrushMotorCurrent])));
+      sensor_row("currents [mA]", fmt::format("wheels left {:<6}right {:<6}brushes main {:<6}side {}",
+                                              s[PacketId::LeftMotorCurrent], s[PacketId::RightMotorCurrent],
+                                              s[PacketId::MainBrushMotorCurrent], s[PacketId::SideBrushMotorCurrent])));
 }
 
 }  // namespace
@@ -127,22 +127,24 @@ std::string battery_line(const oi::Sensors& s) {
 std::vector<std::string> sensor_table(const oi::Sensors& s, oi::Model model) {
   const oi::BumpsAndWheelDrops shell = oi::bumps_and_wheel_drops(s);
   std::vector<std::string> rows;
-  rows.push_back(row("bumpers", flag("left", shell.bump_left) + flag("right", shell.bump_right)));
-  rows.push_back(row("wheel drops", flag("left", shell.wheel_drop_left) + flag("right", shell.wheel_drop_right) +
-                                        (model == oi::Model::Create2 ? "" : flag("caster", shell.wheel_drop_caster))));
-  rows.push_back(row("cliffs", cliffs(s)));
+  rows.push_back(sensor_row("bumpers", flag("left", shell.bump_left) + flag("right", shell.bump_right)));
   rows.push_back(
-      row("wall", flag("wall", s[PacketId::Wall] != 0) + flag("virtual wall", s[PacketId::VirtualWall] != 0) +
-                      (s.has(PacketId::WallSignal) ? fmt::format("signal {}", s[PacketId::WallSignal]) : "")));
+      sensor_row("wheel drops", flag("left", shell.wheel_drop_left) + flag("right", shell.wheel_drop_right) +
+                                    (model == oi::Model::Create2 ? "" : flag("caster", shell.wheel_drop_caster))));
+  rows.push_back(sensor_row("cliffs", cliffs(s)));
+  rows.push_back(
+      sensor_row("wall", flag("wall", s[PacketId::Wall] != 0) + flag("virtual wall", s[PacketId::VirtualWall] != 0) +
+                             (s.has(PacketId::WallSignal) ? fmt::format("signal {}", s[PacketId::WallSignal]) : "")));
   if (model == oi::Model::Create2) {
     add_create2_rows(s, rows);
   } else {
-    rows.push_back(row("travel", fmt::format("distance {:<8}angle {}", s[PacketId::Distance], s[PacketId::Angle])));
+    rows.push_back(
+        sensor_row("travel", fmt::format("distance {:<8}angle {}", s[PacketId::Distance], s[PacketId::Angle])));
   }
-  rows.push_back(row("overcurrents", overcurrents(s, model)));
-  rows.push_back(row("infrared", infrared_row(s, model)));
-  rows.push_back(row("buttons", pressed(s, model)));
-  if (model != oi::Model::Create1) rows.push_back(row("dirt", fmt::format("{}", s[PacketId::DirtDetect])));
+  rows.push_back(sensor_row("overcurrents", overcurrents(s, model)));
+  rows.push_back(sensor_row("infrared", infrared_row(s, model)));
+  rows.push_back(sensor_row("buttons", pressed(s, model)));
+  if (model != oi::Model::Create1) rows.push_back(sensor_row("dirt", fmt::format("{}", s[PacketId::DirtDetect])));
   return rows;
 }
 

@@ -4,6 +4,8 @@
 #include <scrubjay/exploration/frontier_explorer.hpp>
 #include <scrubjay/grid/traversal.hpp>
 
+#include "left_words.hpp"
+
 namespace scrubjay {
 namespace {
 
@@ -13,10 +15,7 @@ constexpr double kMovingOn = 0.5;    // a frontier that only moves on isn't chos
 constexpr double kSamePlace = 0.75;  // this near to the old goal, a frontier is what became of it [m]
 
 constexpr const char* kOutOfBounds = "out of bounds";
-constexpr const char* kGivenUp = "given up";
-constexpr const char* kTooNarrow = "too narrow for the robot";
 constexpr const char* kNoWayThere = "no way there";
-constexpr const char* kNotYet = "not reached yet";
 
 FrontierExplorerParams for_robot(const RobotModel& robot, FrontierExplorerParams params) {
   if (!robot.lidar) throw Error("strategy frontiers: the robot has no lidar; want one that has");

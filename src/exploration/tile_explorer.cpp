@@ -4,14 +4,13 @@
 #include <scrubjay/exploration/tile_explorer.hpp>
 #include <scrubjay/grid/traversal.hpp>
 
+#include "left_words.hpp"
+
 namespace scrubjay {
 namespace {
 
 constexpr const char* kOutside = "out of bounds";
-constexpr const char* kTooNarrow = "too narrow for the robot";
-constexpr const char* kGivenUp = "given up";
 constexpr const char* kHidden = "no way point sees it";
-constexpr const char* kNotYet = "not reached yet";
 
 CostMapParams costs_for(const RobotModel& robot, const TileExplorerParams& params) {
   if (!robot.lidar) throw Error("strategy tiles: the robot has no lidar; want one that has");

@@ -68,7 +68,7 @@ ros::Qos least(const ros::Qos& a, const ros::Qos& b) {
 }
 
 /// `file` of `bag/file`: old bags name the folder, too, which may be called otherwise by now.
-std::string last_name(const std::string& path) {
+std::string file_name(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
 }
 
@@ -163,7 +163,7 @@ BagFolder parse_bag_folder(const std::string& text, const std::string& name) {
   folder.storage = info.at("storage_identifier").text();
   if (info.has("compression_format")) folder.compression = info.at("compression_format").text();
   for (const YamlField& file : info.at("relative_file_paths").items()) {
-    folder.files.push_back(last_name(file.text()));
+    folder.files.push_back(file_name(file.text()));
     const std::string& last = folder.files.back();
     if (last.empty() || last == "." || last == "..") file.fail("the name of a file");
   }

@@ -11,7 +11,7 @@ namespace {
 using oi::PacketId;
 
 constexpr double kInterval = 0.015;    // between two frames of a stream (OI specification, "Stream") [s]
-constexpr double kReplyTimeout = 0.1;  // the longest reply takes 42 ms at 19,200 baud; an adapter holds back 16 ms
+constexpr double kLongestReply = 0.1;  // the longest reply takes 42 ms at 19,200 baud; an adapter holds back 16 ms
 constexpr double kFirstFrame = 1.0;    // a stream that hasn't begun by then won't [s]
 constexpr double kBannerBegins = 1.5;  // a robot that prints nothing by then has no banner [s]
 constexpr double kBannerLasts = 6.0;   // starting anew takes about 5 s (OI specification, "Reset")
@@ -82,7 +82,7 @@ std::optional<double> Examination::ask(oi::SensorId id, oi::Model model) {
       report_.sensors.update(answer);
       return read.stamp - asked;
     }
-    if (read.stamp - asked >= kReplyTimeout) break;
+    if (read.stamp - asked >= kLongestReply) break;
   }
   quieten();
   return std::nullopt;

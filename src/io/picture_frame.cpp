@@ -27,11 +27,11 @@ struct LegendItem {
 };
 
 void draw_line_icon(Canvas& canvas, const Point2& center, Color from, Color to, double thickness) {
-  constexpr int kSteps = 8;
-  for (int i = 0; i < kSteps; ++i) {
-    const double left = center.x() - 11.0 + 22.0 * i / kSteps;
-    const std::array<Point2, 2> piece{Point2{left, center.y()}, Point2{left + 22.0 / kSteps, center.y()}};
-    canvas.draw_polyline(piece, thickness, mix(from, to, i / (kSteps - 1.0)));
+  constexpr int kPieces = 8;
+  for (int i = 0; i < kPieces; ++i) {
+    const double left = center.x() - 11.0 + 22.0 * i / kPieces;
+    const std::array<Point2, 2> piece{Point2{left, center.y()}, Point2{left + 22.0 / kPieces, center.y()}};
+    canvas.draw_polyline(piece, thickness, mix(from, to, i / (kPieces - 1.0)));
   }
 }
 

@@ -30,7 +30,7 @@ oi::Model read_dialect(const YamlField& field) {
   field.fail("create-2, create-1 or roomba-400");
 }
 
-std::string_view name_of(oi::Model dialect) {
+std::string_view dialect_name(oi::Model dialect) {
   return std::ranges::find(kDialectNames, dialect, [](const auto& known) { return known.second; })->first;
 }
 
@@ -75,7 +75,7 @@ std::string scenario_text(const Scenario& scenario) {
   if (scenario.motion_distortion) text += "motion_distortion: true\n";
   if (scenario.forward_cone) text += fmt::format("forward_cone: {}\n", *scenario.forward_cone);
   if (scenario.robot_radius) text += fmt::format("robot_radius: {}\n", *scenario.robot_radius);
-  if (scenario.protocol) text += fmt::format("protocol: {}\n", name_of(*scenario.protocol));
+  if (scenario.protocol) text += fmt::format("protocol: {}\n", dialect_name(*scenario.protocol));
   if (scenario.mode_one_too_high) text += "mode_one_too_high: true\n";
   return text;
 }

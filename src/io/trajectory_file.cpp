@@ -15,19 +15,19 @@
 namespace scrubjay {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
+constexpr std::string_view kSeparators = " \t\r";
 
 /// Eight finite numbers between blanks, and nothing else.
 std::optional<std::array<double, 8>> eight_numbers(std::string_view line) {
   std::array<double, 8> numbers{};
   for (double& number : numbers) {
-    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(kSeparators), line.size()));
     const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
     if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
     line.remove_prefix(static_cast<std::size_t>(end - line.data()));
-    if (!line.empty() && kBlanks.find(line.front()) == std::string_view::npos) return std::nullopt;
+    if (!line.empty() && kSeparators.find(line.front()) == std::string_view::npos) return std::nullopt;
   }
-  if (line.find_first_not_of(kBlanks) != std::string_view::npos) return std::nullopt;
+  if (line.find_first_not_of(kSeparators) != std::string_view::npos) return std::nullopt;
   return numbers;
 }
 
@@ -59,7 +59,7 @@ std::vector<StampedPose> read_trajectory(const std::filesystem::path& path) {
   for (int line_number = 1; !rest.empty(); ++line_number) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-    const std::size_t first = line.find_first_not_of(kBlanks);
+    const std::size_t first = line.find_first_not_of(kSeparators);
     if (first == std::string_view::npos || line[first] == '#') continue;
     const auto numbers = eight_numbers(line);
     if (!numbers) {

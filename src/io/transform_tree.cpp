@@ -6,7 +6,7 @@
 namespace scrubjay {
 namespace {
 
-std::optional<Eigen::Quaterniond> rotation_of(const ros::Quaternion& q) {
+std::optional<Eigen::Quaterniond> unit_rotation(const ros::Quaternion& q) {
   const Eigen::Quaterniond rotation(q.w, q.x, q.y, q.z);
   const double norm = rotation.norm();
   // Those who rotate nothing sometimes leave all of it at 0.
@@ -31,7 +31,7 @@ std::string_view last_name(std::string_view name) {
 }
 
 std::optional<Pose2> in_plane(const ros::Point& position, const ros::Quaternion& orientation) {
-  const auto rotation = rotation_of(orientation);
+  const auto rotation = unit_rotation(orientation);
   if (!rotation || !std::isfinite(position.x) || !std::isfinite(position.y)) return std::nullopt;
   // To the last bit or so: what is read was written by a robot in the plane.
   if (orientation.x == 0.0 && orientation.y == 0.0) {
@@ -41,7 +41,7 @@ std::optional<Pose2> in_plane(const ros::Point& position, const ros::Quaternion&
 }
 
 void TransformTree::add(const ros::TransformStamped& transform) {
-  const auto rotation = rotation_of(transform.transform.rotation);
+  const auto rotation = unit_rotation(transform.transform.rotation);
   const ros::Vector3& t = transform.transform.translation;
   const Eigen::Vector3d translation(t.x, t.y, t.z);
   if (!rotation || !translation.allFinite()) return;

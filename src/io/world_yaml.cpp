@@ -7,7 +7,7 @@ namespace {
 
 constexpr NumberRange kCoordinate{-kWorldExtent, kWorldExtent, false, "a number of metres within +-1000"};
 constexpr NumberRange kLength{0.0, kWorldExtent, true, "a positive length in metres"};
-constexpr NumberRange kAngle{-100.0, 100.0, false, "an angle in radians"};
+constexpr NumberRange kTurn{-100.0, 100.0, false, "an angle in radians"};
 constexpr NumberRange kShare{0.0, 1.0, false, "a share from 0 to 1"};
 constexpr NumberRange kLevel{1.0, 255.0, false, "a level from 1 to 255"};
 
@@ -131,7 +131,7 @@ double WorldShapes::length(const YamlField& field) {
   return field.number(kLength);
 }
 double WorldShapes::angle(const YamlField& field) {
-  return field.number(kAngle);
+  return field.number(kTurn);
 }
 
 World world_from_yaml(const YamlField& root) {

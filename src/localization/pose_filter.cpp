@@ -7,12 +7,12 @@ namespace {
 
 constexpr double kLeastVariance = 1e-9;  // the first pose is known for certain, but nothing divides by that
 
-double square(double x) {
+double squared(double x) {
   return x * x;
 }
 
 Eigen::Vector3d squares(const OdometryBias& bias) {
-  return {square(bias.way), square(bias.turn), square(bias.bend)};
+  return {squared(bias.way), squared(bias.turn), squared(bias.bend)};
 }
 
 /// What is symmetric but for rounding, to the last bit.
@@ -53,8 +53,8 @@ void PoseFilter::predict(const Pose2& step) {
   covariance_ = 0.5 * (carried + carried.transpose());
   const double length = std::fabs(way);
   const double turn = std::fabs(step.yaw);
-  const double way_variance = square(noise_.way_per_way) * length + square(noise_.way_per_turn) * turn;
-  const double turn_variance = square(noise_.turn_per_way) * length + square(noise_.turn_per_turn) * turn;
+  const double way_variance = squared(noise_.way_per_way) * length + squared(noise_.way_per_turn) * turn;
+  const double turn_variance = squared(noise_.turn_per_way) * length + squared(noise_.turn_per_turn) * turn;
   covariance_.diagonal().head<3>() += Eigen::Vector3d(way_variance, way_variance, turn_variance);
   covariance_.diagonal().tail<3>() += length * squares(noise_.bias_walk);
 }

@@ -17,10 +17,6 @@ double square(double x) {
   return x * x;
 }
 
-Point2 turned(const SinCos& turn, const Point2& v) {
-  return {turn.cos * v.x() - turn.sin * v.y(), turn.sin * v.x() + turn.cos * v.y()};
-}
-
 Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
   return {a.x - b.x, a.y - b.y, angle_difference(a.yaw, b.yaw)};
 }

@@ -14,10 +14,6 @@ const LidarModel& lidar_of(const RobotModel& robot) {
   return *robot.lidar;
 }
 
-Point2 turned(const SinCos& turn, const Point2& v) {
-  return {turn.cos * v.x() - turn.sin * v.y(), turn.sin * v.x() + turn.cos * v.y()};
-}
-
 }  // namespace
 
 ScanMatching::ScanMatching(const RobotModel& robot, const Mapper& mapper, const ScanMatchingParams& params)

@@ -6,8 +6,8 @@
 namespace scrubjay {
 namespace {
 
-constexpr std::int32_t kReach = 2;  // of the neighbourhood that makes a line, either way [cells]
-constexpr std::size_t kSide = 2 * kReach + 1;
+constexpr std::int32_t kAround = 2;  // of the neighbourhood that makes a line, either way [cells]
+constexpr std::size_t kAcross = 2 * kAround + 1;
 constexpr float kFirmWeight = 255.0F;  // a mean over more would never move again
 constexpr double kLineWeight = 100.0;  // what one cell may weigh in a line
 constexpr double kMaxRoundness = 0.4;  // of a line: variance across it to variance along it
@@ -75,11 +75,11 @@ void SurfaceMap::add(const Point2& p, const Point2& view, double noise, const Li
 std::optional<SurfaceLine> SurfaceMap::line_at(CellIndex c, const Point2& view, const LikelihoodField& field) const {
   const double per_metre = 1.0 / field.geometry().resolution;
   const CellIndex here = place(c, field.geometry());
-  std::array<Sighting, kSide * kSide> sightings;
+  std::array<Sighting, kAcross * kAcross> sightings;
   std::size_t count = 0;
   Moments told;  // by the map alone
-  for (std::int32_t y = -kReach; y <= kReach; ++y) {
-    for (std::int32_t x = -kReach; x <= kReach; ++x) {
+  for (std::int32_t y = -kAround; y <= kAround; ++y) {
+    for (std::int32_t x = -kAround; x <= kAround; ++x) {
       const Surface* surface = find({here.x + x, here.y + y});
       if (surface == nullptr || surface->weight == 0.0F) {
         if (field.at({c.x + x, c.y + y}) == LikelihoodField::kBest) told.add(1.0, {x, y});

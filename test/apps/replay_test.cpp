@@ -50,13 +50,16 @@ TEST_P(ReplayTest, MapsTheSameToTheByte) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Ways, ReplayTest,
-    testing::Values(ReplayedWay{"random-2", "none", "roomba-600"}, ReplayedWay{"random-3", "hard-floor", "create-1"},
-                    ReplayedWay{"random-look", "carpet", "create-2"}, ReplayedWay{"random-aware", "uncalibrated", "roomba-600"},
-                    ReplayedWay{"reactive", "carpet", "create-1"}, ReplayedWay{"edge-follow", "none", "roomba-600"},
-                    ReplayedWay{"edge-follow", "hard-floor", "create-2"}, ReplayedWay{"edge-follow", "carpet", "create-1"}),
-    [](const auto& way) { return "ReplayedWay" + std::to_string(way.index); });
+INSTANTIATE_TEST_SUITE_P(Ways, ReplayTest,
+                         testing::Values(ReplayedWay{"random-2", "none", "roomba-600"},
+                                         ReplayedWay{"random-3", "hard-floor", "create-1"},
+                                         ReplayedWay{"random-look", "carpet", "create-2"},
+                                         ReplayedWay{"random-aware", "uncalibrated", "roomba-600"},
+                                         ReplayedWay{"reactive", "carpet", "create-1"},
+                                         ReplayedWay{"edge-follow", "none", "roomba-600"},
+                                         ReplayedWay{"edge-follow", "hard-floor", "create-2"},
+                                         ReplayedWay{"edge-follow", "carpet", "create-1"}),
+                         [](const auto& way) { return "ReplayedWay" + std::to_string(way.index); });
 
 using CutRecordingTest = ReplayTest;
 

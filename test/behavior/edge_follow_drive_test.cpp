@@ -24,7 +24,7 @@ World closed_room(double width, double height, const Pose2& start) {
 /// `edge-follow` on a perfect robot in a small world.
 struct EdgeDrive {
   explicit EdgeDrive(World scenery, const EdgeFollowParams& params = {}, const sim::RobotSpec& robot_spec = {},
-                 std::uint64_t seed = 1)
+                     std::uint64_t seed = 1)
       : world(std::move(scenery)),
         index(solid_segments(world)),
         spec(robot_spec),

@@ -10,8 +10,8 @@ namespace scrubjay::bench {
 namespace {
 
 /// Rooms a side.
-constexpr std::int32_t kBuilding = 40;
-constexpr std::int32_t kHouse = 3;
+constexpr std::int32_t kLargeBuilding = 40;
+constexpr std::int32_t kSmallHouse = 3;
 
 CostMap costs_of(const LargeMap& map) {
   CostMap costs({});
@@ -24,7 +24,7 @@ void CostMapFromNothing(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(costs_of(map).view().cells);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(map.view().geometry.size()));
 }
-BENCHMARK(CostMapFromNothing)->Arg(kHouse)->Arg(kBuilding)->Unit(benchmark::kMillisecond);
+BENCHMARK(CostMapFromNothing)->Arg(kSmallHouse)->Arg(kLargeBuilding)->Unit(benchmark::kMillisecond);
 
 /// A scan of 3.5 m: 140 x 140 cells may have changed; a person of 6 x 6 cells came or went.
 void CostMapUpdate(benchmark::State& state) {
@@ -40,7 +40,7 @@ void CostMapUpdate(benchmark::State& state) {
     benchmark::DoNotOptimize(costs.update(map.view(), changed));
   }
 }
-BENCHMARK(CostMapUpdate)->Arg(kHouse)->Arg(kBuilding)->Unit(benchmark::kMicrosecond);
+BENCHMARK(CostMapUpdate)->Arg(kSmallHouse)->Arg(kLargeBuilding)->Unit(benchmark::kMicrosecond);
 
 /// The same, when nothing changed its class.
 void CostMapUpdateOfNothing(benchmark::State& state) {
@@ -48,7 +48,7 @@ void CostMapUpdateOfNothing(benchmark::State& state) {
   CostMap costs = costs_of(map);
   for (auto _ : state) benchmark::DoNotOptimize(costs.update(map.view(), {{5, 5}, {145, 145}}));
 }
-BENCHMARK(CostMapUpdateOfNothing)->Arg(kHouse)->Arg(kBuilding)->Unit(benchmark::kMicrosecond);
+BENCHMARK(CostMapUpdateOfNothing)->Arg(kSmallHouse)->Arg(kLargeBuilding)->Unit(benchmark::kMicrosecond);
 
 /// From one corner to the other.
 void FindAcross(benchmark::State& state) {
@@ -59,7 +59,7 @@ void FindAcross(benchmark::State& state) {
   for (auto _ : state) length = search.find(costs.view(), map.near_corner(), map.far_corner()).size();
   state.counters["cells_of_path"] = static_cast<double>(length);
 }
-BENCHMARK(FindAcross)->Arg(kHouse)->Arg(kBuilding)->Unit(benchmark::kMillisecond);
+BENCHMARK(FindAcross)->Arg(kSmallHouse)->Arg(kLargeBuilding)->Unit(benchmark::kMillisecond);
 
 void SpreadOverAll(benchmark::State& state) {
   const LargeMap map(static_cast<std::int32_t>(state.range(0)));
@@ -77,7 +77,7 @@ void SpreadOverAll(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(reached));
 }
-BENCHMARK(SpreadOverAll)->Arg(kHouse)->Arg(kBuilding)->Unit(benchmark::kMillisecond);
+BENCHMARK(SpreadOverAll)->Arg(kSmallHouse)->Arg(kLargeBuilding)->Unit(benchmark::kMillisecond);
 
 void Simplify(benchmark::State& state) {
   const LargeMap map(static_cast<std::int32_t>(state.range(0)));
@@ -87,7 +87,7 @@ void Simplify(benchmark::State& state) {
   for (auto _ : state) corners = simplify(costs.view(), path).size();
   state.counters["corners"] = static_cast<double>(corners);
 }
-BENCHMARK(Simplify)->Arg(kHouse)->Arg(kBuilding)->Unit(benchmark::kMillisecond);
+BENCHMARK(Simplify)->Arg(kSmallHouse)->Arg(kLargeBuilding)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace scrubjay::bench

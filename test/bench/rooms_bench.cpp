@@ -9,8 +9,8 @@ namespace scrubjay::bench {
 namespace {
 
 /// Rooms a side.
-constexpr std::int32_t kBuilding = 40;
-constexpr std::int32_t kHouse = 3;
+constexpr std::int32_t kRoomsOfBuilding = 40;
+constexpr std::int32_t kRoomsOfHouse = 3;
 
 void SplitIntoRooms(benchmark::State& state) {
   const LargeMap map(static_cast<std::int32_t>(state.range(0)));
@@ -19,7 +19,7 @@ void SplitIntoRooms(benchmark::State& state) {
   state.counters["rooms"] = static_cast<double>(rooms);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(map.view().geometry.size()));
 }
-BENCHMARK(SplitIntoRooms)->Arg(kHouse)->Arg(kBuilding)->Unit(benchmark::kMillisecond);
+BENCHMARK(SplitIntoRooms)->Arg(kRoomsOfHouse)->Arg(kRoomsOfBuilding)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace scrubjay::bench

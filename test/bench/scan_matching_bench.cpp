@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kScansALap = 150;
 
-RobotModel burger() {
+RobotModel burger_model() {
   RobotModel robot;
   robot.drive = {0.160, 0.033, 4096.0};
   robot.lidar = LidarModel{};
@@ -68,7 +68,7 @@ class Lap {
 
 /// The localizer alone, on a map that stays as three laps made it.
 void MatchScan(benchmark::State& state) {
-  const RobotModel robot = burger();
+  const RobotModel robot = burger_model();
   LidarMapper mapper(robot, 0.05);
   ScanMatching localizer(robot, mapper);
   Lap lap;

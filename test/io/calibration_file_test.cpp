@@ -57,15 +57,18 @@ TEST(CalibrationFileTest, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(calibration_error("left: 1\nright: 1\naxle: 1\n"), HasSubstr("model is missing"));
   EXPECT_THAT(calibration_error("model: a\nleft: 0\nright: 1\naxle: 1\n"),
               HasSubstr("c.yaml:2: left is 0; want a factor from 0.5 to 2"));
-  EXPECT_THAT(calibration_error(kLeast + "date: today\n"), HasSubstr("c.yaml:5: date is today; want a date as 2026-03-31"));
-  EXPECT_THAT(calibration_error(kLeast + "deviation: {left: 0.1, right: -1, axle: 0}\n"), HasSubstr("deviation.right is -1"));
+  EXPECT_THAT(calibration_error(kLeast + "date: today\n"),
+              HasSubstr("c.yaml:5: date is today; want a date as 2026-03-31"));
+  EXPECT_THAT(calibration_error(kLeast + "deviation: {left: 0.1, right: -1, axle: 0}\n"),
+              HasSubstr("deviation.right is -1"));
   EXPECT_THAT(calibration_error(kLeast + "deviation: 0.1\n"), HasSubstr("deviation"));
   EXPECT_THAT(calibration_error(kLeast + "axis: 1\n"), AllOf(HasSubstr("'axis'"), HasSubstr("did you mean 'axle'?")));
   EXPECT_THAT(calibration_error(kLeast + "drives: [{figure: circle, measured: [1], residual: [1]}]\n"),
               HasSubstr("drives[0].figure is circle; want spin, straight, square-left or square-right"));
   EXPECT_THAT(calibration_error(kLeast + "drives: [{figure: square-left, measured: [1], residual: [1]}]\n"),
               HasSubstr("drives[0].measured is a list of 1; want [x, y] in metres"));
-  EXPECT_THAT(calibration_error(kLeast + "drives: [{figure: spin, measured: [1]}]\n"), HasSubstr("residual is missing"));
+  EXPECT_THAT(calibration_error(kLeast + "drives: [{figure: spin, measured: [1]}]\n"),
+              HasSubstr("residual is missing"));
   EXPECT_THAT(calibration_error("- 1\n"), HasSubstr("c.yaml:1"));
 }
 

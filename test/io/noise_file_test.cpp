@@ -3,8 +3,8 @@
 #include <scrubjay/error.hpp>
 #include <scrubjay/io/robot_file.hpp>
 
-#include "temporary_folder.hpp"
 #include "source_tree.hpp"
+#include "temporary_folder.hpp"
 
 namespace scrubjay {
 namespace {

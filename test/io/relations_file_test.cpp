@@ -8,7 +8,8 @@
 namespace scrubjay {
 namespace {
 
-const char* const kRelations = "# t1 t2 x y z roll pitch yaw\n10.5 11.25 0.4 -0.1 9 9 9 -0.07\n11.25 10.5 1 2 0 0 0 4\n";
+const char* const kRelations =
+    "# t1 t2 x y z roll pitch yaw\n10.5 11.25 0.4 -0.1 9 9 9 -0.07\n11.25 10.5 1 2 0 0 0 4\n";
 
 void expect_both(const std::vector<Relation>& relations) {
   ASSERT_EQ(relations.size(), 2u);

@@ -75,7 +75,8 @@ TEST(ScenarioFileTest, WrapsTheHeading) {
 }
 
 TEST(ScenarioFileTest, SaysWhichFieldIsWrong) {
-  EXPECT_THAT(scenario_error("world: a\nseed: -1\n"), HasSubstr("run.yaml:2: seed is -1; want a whole number of 0 or more"));
+  EXPECT_THAT(scenario_error("world: a\nseed: -1\n"),
+              HasSubstr("run.yaml:2: seed is -1; want a whole number of 0 or more"));
   EXPECT_THAT(scenario_error("seed: 18446744073709551616\n"), HasSubstr("seed"));
   EXPECT_THAT(scenario_error("seed: 1.5\n"), HasSubstr("seed"));
   EXPECT_THAT(scenario_error("resolution: 0\n"), HasSubstr("want a cell size from 0.005 to 1 m"));

@@ -18,24 +18,24 @@ OccupancyGrid drawn_map(const std::vector<std::string>& rows) {
 
 TEST(WorldFromMapTest, MergesStraightRunsOfTheBorder) {
   const World world = world_from_map(drawn_map({"#####",  //
-                                             "#..##",  //
-                                             "#...#",  //
-                                             "#####"}));
+                                                "#..##",  //
+                                                "#...#",  //
+                                                "#####"}));
   ASSERT_EQ(world.walls.size(), 1u);
   EXPECT_EQ(world.walls[0].points, (std::vector<Point2>{{1, 1}, {4, 1}, {4, 2}, {3, 2}, {3, 3}, {1, 3}, {1, 1}}));
 }
 
 TEST(WorldFromMapTest, UnknownCellsAndTheMapsEdgeAreSolid) {
   const World world = world_from_map(drawn_map({"?..",  //
-                                             "..."}));
+                                                "..."}));
   ASSERT_EQ(world.walls.size(), 1u);
   EXPECT_EQ(world.walls[0].points, (std::vector<Point2>{{0, 0}, {3, 0}, {3, 2}, {1, 2}, {1, 1}, {0, 1}, {0, 0}}));
 }
 
 TEST(WorldFromMapTest, AnIslandIsAWallOfItsOwn) {
   const World world = world_from_map(drawn_map({".....",  //
-                                             ".##..",  //
-                                             "....."}));
+                                                ".##..",  //
+                                                "....."}));
   ASSERT_EQ(world.walls.size(), 2u);
   EXPECT_EQ(world.walls[0].points.size(), 5u);
   EXPECT_EQ(world.walls[1].points.size(), 5u);
@@ -43,7 +43,7 @@ TEST(WorldFromMapTest, AnIslandIsAWallOfItsOwn) {
 
 TEST(WorldFromMapTest, FreeCellsThatMeetAtACornerStayApart) {
   const World world = world_from_map(drawn_map({"#.",  //
-                                             ".#"}));
+                                                ".#"}));
   ASSERT_EQ(world.walls.size(), 2u);
   EXPECT_EQ(world.walls[0].points, (std::vector<Point2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}));
 }

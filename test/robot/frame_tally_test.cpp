@@ -6,7 +6,6 @@
 namespace scrubjay {
 namespace {
 
-
 TEST(FrameTallyTest, CountsNothingOfAWholeStream) {
   FrameTally tally;
   EXPECT_EQ(tally.lost(), 0u);
@@ -30,7 +29,8 @@ TEST(FrameTallyTest, CountsEveryFrameThatDidntCome) {
       }
       tally.arrive(last = std::max(last, i * FrameTally::kTick + random.uniform(0.0, delay)));
     }
-    EXPECT_NEAR(static_cast<double>(tally.lost()), static_cast<double>(lost), delay < FrameTally::kTick ? 1.0 : 4.0) << delay;
+    EXPECT_NEAR(static_cast<double>(tally.lost()), static_cast<double>(lost), delay < FrameTally::kTick ? 1.0 : 4.0)
+        << delay;
   }
 }
 

@@ -13,7 +13,6 @@ using oi::PacketId;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-
 Bytes drive_direct(int right, int left) {
   const auto high = [](int v) { return static_cast<std::uint8_t>(static_cast<std::uint16_t>(v) >> 8); };
   const auto low = [](int v) { return static_cast<std::uint8_t>(v); };

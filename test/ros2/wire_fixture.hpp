@@ -53,8 +53,8 @@ class Kept {
   std::vector<Item> items_;
 };
 
-/// What is kept outlives the inbox for as long as somebody may bring more: a participant that is declared before it ends
-/// after it.
+/// What is kept outlives the inbox for as long as somebody may bring more: a participant that is declared before it
+/// ends after it.
 class Inbox {
  public:
   Receive receive() {

@@ -16,6 +16,11 @@ inline Point2 direction(double angle) {
   return {turn.cos, turn.sin};
 }
 
+/// `v` turned by the angle that `turn` is of.
+inline Point2 turned(const SinCos& turn, const Point2& v) {
+  return {turn.cos * v.x() - turn.sin * v.y(), turn.sin * v.x() + turn.cos * v.y()};
+}
+
 /// Position and heading of a frame in its parent: `parent_from_child`.
 struct Pose2 {
   double x = 0.0;    ///< [m]
