@@ -37,9 +37,10 @@ target_compile_options(scrubjay_options INTERFACE
   $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast>
   # No fused multiply-add behind our back: results must be the same bits on every machine.
   -ffp-contract=off)
-# Whether a source is the main one isn't known where several are compiled as one.
-if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(scrubjay_options INTERFACE -Wno-subobject-linkage)
+# Where several sources are compiled as one, compilers take each for a header of the others.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(scrubjay_options INTERFACE
+    -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
 if(SCRUBJAY_WERROR)
   target_compile_options(scrubjay_options INTERFACE -Werror)
