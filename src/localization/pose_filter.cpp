@@ -76,6 +76,14 @@ void PoseFilter::correct(const Pose2& pose, const Eigen::Matrix3d& information) 
   pose_ = pose;
 }
 
+void PoseFilter::correct_heading(double by, double information) {
+  const Eigen::Vector3d of_heading = covariance().col(2);
+  const Eigen::Vector3d move = by / (of_heading.z() + 1.0 / information) * of_heading;
+  Eigen::Matrix3d reading = Eigen::Matrix3d::Zero();
+  reading(2, 2) = information;
+  correct({pose_.x + move.x(), pose_.y + move.y(), wrap_angle(pose_.yaw + move.z())}, reading);
+}
+
 Eigen::Matrix3d PoseFilter::information() const {
   Eigen::Matrix3d known = covariance();
   known.diagonal().array() += kLeastVariance;

@@ -11,10 +11,16 @@ constexpr double kFarthest = 2.0;        // ends farther than this from their li
 constexpr double kFarthestSigmas = 3.0;  // ... if it is as many standard deviations, too
 constexpr double kSmallMove = 1e-5;      // ends the search [m]
 constexpr double kSmallTurn = 1e-5;      // ends the search [rad]
+constexpr double kSameWall = 0.97;       // cosine between a line and the wall that an end is of, if they are one
 constexpr CellIndex kNowhere{std::numeric_limits<std::int32_t>::min(), 0};
 
 double square(double x) {
   return x * x;
+}
+
+/// Across the wall that an end is of (`wall` is 0 for none), if the line is a piece of that.
+const Point2& normal_of(const SurfaceLine& line, const Point2& wall) {
+  return std::fabs(line.normal.dot(wall)) > kSameWall ? wall : line.normal;
 }
 
 Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
@@ -40,9 +46,7 @@ ScanAlignment ScanAligner::align(std::span<const ScanEnd> ends, const SurfaceMap
 
 /// Across a line that the beam meets at an angle of this cosine to its normal.
 ScanAligner::Uncertainty ScanAligner::uncertainty(const ScanEnd& end, double cosine, double of_line) const {
-  // Where in its width the beam ended, nobody knows.
-  const double of_end =
-      square(cosine * end.noise) + (1.0 - square(cosine)) * square(end.width) / 12.0 + square(params_.blur);
+  const double of_end = variance_across(end, cosine) + square(params_.blur);
   const double beams = std::max(1.0, params_.shared * cosine / end.width);
   return {of_end + of_line, of_end + beams * of_line};
 }
@@ -62,13 +66,14 @@ ScanAligner::Slope ScanAligner::slope_at(const Pose2& pose, std::span<const Scan
     if (!(cell == pairing.cell)) pairing = {cell, surfaces.line_at(cell, view, field)};
     if (!pairing.line) continue;
 
-    const double distance = pairing.line->distance(end);
-    const Uncertainty error = uncertainty(ends[i], std::fabs(pairing.line->normal.dot(view)), pairing.line->variance);
+    const Point2 wall = turned(heading, ends[i].normal);
+    const Point2& normal = normal_of(*pairing.line, wall);
+    const double distance = normal.dot(end - pairing.line->point);
+    const Uncertainty error = uncertainty(ends[i], std::fabs(normal.dot(view)), pairing.line->variance);
     if (square(distance) > std::max(near, square(kFarthestSigmas) * error.shared)) continue;
     const double outlying = square(distance) * per_square_outlier;
     const double fit = error.shared / (error.shared + outlying);
     const double weight = params_.trust * fit / error.shared;
-    const Point2& normal = pairing.line->normal;
     const Eigen::Vector3d by_pose(normal.x(), normal.y(), normal.y() * arm.x() - normal.x() * arm.y());
     sum.information.noalias() += weight * by_pose * by_pose.transpose();
     sum.pull -= weight * distance * by_pose;

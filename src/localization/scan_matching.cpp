@@ -24,7 +24,8 @@ ScanMatching::ScanMatching(const RobotModel& robot, const Mapper& mapper, const 
       filter_(params.motion),
       scan_points_(lidar_, {params.max_range}),
       search_(params.beam_weight),
-      aligner_(params.alignment) {}
+      aligner_(params.alignment),
+      compass_(params.compass) {}
 
 const PoseEstimate& ScanMatching::update(const Frame& frame) {
   field_.follow(mapper_.map(), mapper_.changed());
@@ -51,12 +52,13 @@ void ScanMatching::match(const Frame& frame) {
   if (stands && !begins) return;
   take(frame);
   if (ends_.empty()) return;
+  head_by_walls();
   if (begins || lay_over_map()) way_ = turn_ = 0.0;
   started_ = true;
   remember();
 }
 
-/// The ends of the frame's scan.
+/// The ends of the frame's scan, and the walls that they are of.
 void ScanMatching::take(const Frame& frame) {
   ends_.clear();
   const double increment = std::max(std::fabs(frame.scan->angle_increment), kLeastIncrement);
@@ -64,11 +66,27 @@ void ScanMatching::take(const Frame& frame) {
     if (!beam.hit) continue;
     const Point2 back = beam.origin - beam.end;
     const double range = std::sqrt(back.squaredNorm());
-    ends_.push_back({beam.end, back / range, lidar_.noise + lidar_.noise_per_range * range, increment * range});
+    ends_.push_back(
+        {beam.end, back / range, lidar_.noise + lidar_.noise_per_range * range, increment * range, Point2(0.0, 0.0)});
+  }
+  find_straight_walls(ends_, walls_);
+  for (const StraightWall& wall : walls_) {
+    if (wall.angle_variance > params_.wall_angle * params_.wall_angle) continue;
+    for (ScanEnd& end : std::span(ends_).subspan(wall.first, wall.count)) {
+      end.normal = {-wall.along.y(), wall.along.x()};
+    }
   }
   search_ends_.clear();
   const std::size_t stride = std::max<std::size_t>(1, ends_.size() / static_cast<std::size_t>(params_.search_beams));
   for (std::size_t i = 0; i < ends_.size(); i += stride) search_ends_.push_back(ends_[i].point);
+}
+
+void ScanMatching::head_by_walls() {
+  const std::optional<HeadingError> error = compass_.read(walls_, filter_.pose().yaw);
+  if (!error) return;
+  filter_.correct_heading(error->off, error->information);
+  estimate_.pose = filter_.pose();
+  estimate_.covariance = filter_.covariance();
 }
 
 /// True if the scan told where the robot is.

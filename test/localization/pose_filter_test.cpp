@@ -152,5 +152,26 @@ TEST(PoseFilterTest, KnowsHowFarItIsOff) {
   EXPECT_NEAR(normalized / kDrives, 3.0, 0.3);
 }
 
+TEST(PoseFilterTest, TakesAHeadingForWhatItIsWorth) {
+  PoseFilter filter;
+  for (int i = 0; i < 100; ++i) filter.predict({0.02, 0.0, 0.01});
+  PoseFilter told = filter;
+  const double variance = filter.covariance()(2, 2);
+  told.correct_heading(0.1, 1.0 / variance);  // as sure as the filter itself
+  EXPECT_NEAR(told.pose().yaw, filter.pose().yaw + 0.05, 1e-6);
+  EXPECT_NEAR(told.covariance()(2, 2), 0.5 * variance, 1e-6);
+  // Where it is hangs together with how it headed on the way there.
+  const double aside = filter.covariance()(0, 2) / variance;
+  EXPECT_NEAR(told.pose().x, filter.pose().x + 0.05 * aside, 1e-6);
+  EXPECT_LT(told.covariance()(0, 0), filter.covariance()(0, 0));
+  EXPECT_GT(told.bias().turn + told.bias().bend, 0.0) << "odometry told of too little turn";
+}
+
+TEST(PoseFilterTest, LetsNobodyTurnAHeadingThatIsCertain) {
+  PoseFilter filter;
+  filter.correct_heading(0.1, 1e4);
+  EXPECT_EQ(filter.pose(), Pose2{});
+}
+
 }  // namespace
 }  // namespace scrubjay

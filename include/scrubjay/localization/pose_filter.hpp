@@ -44,6 +44,8 @@ class PoseFilter {
   /// The pose turned out to be `pose`, which takes this filter's own guess into account already (the mean of the
   /// posterior), by a reading of the given information on (x, y, yaw).
   void correct(const Pose2& pose, const Eigen::Matrix3d& information);
+  /// Something told that the heading is off by `by` [rad], with an inverse variance of `information` > 0 [1/rad^2].
+  void correct_heading(double by, double information);
   /// The wheels slipped by what no bias explains: (x, y, yaw) are off by these standard deviations more.
   void slip(const Eigen::Vector3d& by);
 

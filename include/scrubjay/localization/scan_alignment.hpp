@@ -3,6 +3,7 @@
 #pragma once
 
 #include <scrubjay/localization/correlative_search.hpp>
+#include <scrubjay/localization/scan_end.hpp>
 #include <scrubjay/localization/surface_map.hpp>
 #include <span>
 #include <vector>
@@ -17,14 +18,6 @@ struct ScanAlignmentParams {
   int max_iterations = 10;  ///< three or four do, but for scans that fit nowhere
 };
 
-/// Where a beam ended.
-struct ScanEnd {
-  Point2 point{0.0, 0.0};  ///< [m]
-  Point2 view{0.0, 0.0};   ///< unit vector back to where the beam came from
-  double noise = 0.0;      ///< standard deviation of the range, > 0 [m]
-  double width = 0.0;      ///< of the beam there: how far the ends of neighbours lie apart, seen head on; > 0 [m]
-};
-
 /// A scan laid onto surfaces.
 struct ScanAlignment {
   Pose2 pose;                                             ///< the likeliest one, given the guess and the scan
@@ -37,7 +30,9 @@ struct ScanAlignment {
 /// Point-to-Line Metric*, ICRA 2008: what a scan doesn't tell, like the way along a bare corridor, stays as guessed.
 /// So do errors: a beam that grazes a wall is hardly off by what its range is off by. And what a line itself is off by
 /// counts once, however many beams end there: else the corner of a wall, a hand's breadth off and seen by forty beams
-/// while its other face is still new, would have more to say than all the rest of a room.
+/// while its other face is still new, would have more to say than all the rest of a room. And a straight wall of the
+/// scan knows better how it stands than the few cells of a line: along a bare corridor, lines that are a degree or two
+/// askew would together hold the robot back.
 class ScanAligner {
  public:
   explicit ScanAligner(const ScanAlignmentParams& params = {}) : params_(params) {}

@@ -7,7 +7,9 @@
 #include <scrubjay/localization/localizer.hpp>
 #include <scrubjay/localization/pose_filter.hpp>
 #include <scrubjay/localization/scan_alignment.hpp>
+#include <scrubjay/localization/straight_walls.hpp>
 #include <scrubjay/localization/surface_map.hpp>
+#include <scrubjay/localization/wall_compass.hpp>
 #include <scrubjay/mapping/mapper.hpp>
 #include <scrubjay/mapping/scan_points.hpp>
 #include <scrubjay/robot/robot_model.hpp>
@@ -29,15 +31,18 @@ struct ScanMatchingParams {
   double doubtful_share = 0.7;          ///< with a share below this, the wheels may have slipped: the whole window ...
   double slip_gain = 1.2;               ///< ... is searched, and must support the match this many times better ...
   double slip_support = 20.0;           ///< ... and by this many beams: where few are left, noise takes some along
+  double wall_angle = radians(0.5);     ///< straight walls whose direction is surer than this stand as the scan says
   MotionNoise motion;
   ScanAlignmentParams alignment;
+  WallCompassParams compass;
 };
 
 /// Odometry between scans, less what it was found to err by (PoseFilter); each scan is matched with the map that was
 /// made of those before. A correlative search
 /// (CorrelativeSearch) over what odometry allows finds the right hill, an alignment (ScanAligner) its top. Odometry and
-/// scan are weighed by what each of them knows: along a bare corridor, odometry has the say. The covariance is that of
-/// both together, in the map: how far the map itself has drifted since its beginning, no scan of it can tell.
+/// scan are weighed by what each of them knows: along a bare corridor, odometry has the say. Before either, the walls
+/// in sight tell what the heading errs by (WallCompass). The covariance is that of all together, in the map: how far
+/// the map itself has drifted since its beginning, no scan of it can tell.
 ///
 /// The scans from before the robot first moves define the map; later ones with too little in common with it are let go
 /// by. While the robot stands, nothing is matched, so nothing drifts.
@@ -53,6 +58,7 @@ class ScanMatching final : public Localizer {
   void reckon(const Frame& frame);
   void match(const Frame& frame);
   void take(const Frame& frame);
+  void head_by_walls();
   bool lay_over_map();
   ScanAlignment match_from(const PoseFilter& guess);
   int count_known(GridView<const LogOdds> map) const;
@@ -68,8 +74,10 @@ class ScanMatching final : public Localizer {
   SurfaceMap surfaces_;
   CorrelativeSearch search_;
   ScanAligner aligner_;
+  WallCompass compass_;
   std::vector<ScanEnd> ends_;        // of the scan at hand, in the robot's frame
   std::vector<Point2> search_ends_;  // some of them
+  std::vector<StraightWall> walls_;  // that they lie on
 
   PoseEstimate estimate_;
   Pose2 last_odometry_;
