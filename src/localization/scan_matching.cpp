@@ -81,9 +81,10 @@ void ScanMatching::take(const Frame& frame) {
   for (std::size_t i = 0; i < ends_.size(); i += stride) search_ends_.push_back(ends_[i].point);
 }
 
+/// Where it hasn't moved yet, the heading is certain, and tells how the house stands.
 void ScanMatching::head_by_walls() {
   const std::optional<HeadingError> error = compass_.read(walls_, filter_.pose().yaw);
-  if (!error) return;
+  if (!error || filter_.pose() == Pose2{}) return;
   filter_.correct_heading(error->off, error->information);
   estimate_.pose = filter_.pose();
   estimate_.covariance = filter_.covariance();

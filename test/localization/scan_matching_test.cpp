@@ -101,7 +101,7 @@ TEST(ScanMatchingTest, LearnsMoreOfTheRoomWhileItHasNotMovedYet) {
     }
     return sum;
   };
-  EXPECT_LT(error_after(20), 0.65 * error_after(1));
+  EXPECT_LT(error_after(20), 0.4 * error_after(1));
 }
 
 TEST(ScanMatchingTest, FindsOutHowFarOdometryIsOff) {
